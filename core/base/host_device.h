@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Marks functions that are compiled for the host and, under nvcc, for the device.
+#if defined(__CUDACC__)
+#define SPIN_HD __host__ __device__
+#else
+#define SPIN_HD
+#endif
+
+// Tells the compiler that a loop's iterations are independent; ignored where it has no meaning.
+#if defined(__CUDACC__)
+#define SPIN_SIMD_LOOP
+#else
+#define SPIN_SIMD_LOOP _Pragma("GCC ivdep")
+#endif

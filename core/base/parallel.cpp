@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/parallel.h"
+
+#include <numeric>
+#include <utility>
+
+#include "core/base/check.h"
+
+namespace spin {
+
+namespace {
+
+/// Digits of 8 bits keep the histogram of every chunk in the first-level cache.
+constexpr std::uint32_t kRadixBits = 8;
+constexpr std::uint32_t kRadix = 1u << kRadixBits;
+constexpr std::size_t kSortChunk = 16384;
+
+}  // namespace
+
+CpuBackend::CpuBackend(int threads)
+    : m_threads(threads > 0 ? threads : oneapi::tbb::this_task_arena::max_concurrency()),
+      m_arena(std::make_unique<oneapi::tbb::task_arena>(m_threads)) {}
+
+std::uint64_t CpuBackend::exclusiveScan(const char* name, const std::uint32_t* in, std::uint32_t* out,
+                                        std::size_t n) {
+  constexpr std::size_t kScanChunk = 65536;
+  std::vector<std::uint64_t> start((n + kScanChunk - 1) / kScanChunk + 1, 0);
+  forChunks(name, n, kScanChunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
+    start[c + 1] = std::accumulate(in + begin, in + end, std::uint64_t{0});
+  });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  forChunks(name, n, kScanChunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
+    std::uint64_t sum = start[c];
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t value = in[i];
+      out[i] = static_cast<std::uint32_t>(sum);
+      sum += value;
+    }
+  });
+  return start.back();
+}
+
+void CpuBackend::sortByKey(const char* name, const Array<std::uint32_t>& keys, std::uint32_t keyCount,
+                           Array<std::uint32_t>& order) {
+  const std::size_t n = keys.size();
+  SPIN_CHECK(n <= UINT32_MAX, "sortByKey takes at most 2^32 - 1 keys");
+  order.resize(n);
+  std::iota(order.begin(), order.end(), 0u);
+  const std::size_t chunks = (n + kSortChunk - 1) / kSortChunk;
+  if (chunks == 0) return;
+  Array<std::uint32_t> scratch(n);
+  std::vector<std::uint32_t> counts(chunks * kRadix);
+  for (std::uint32_t shift = 0; shift < 32 && (keyCount - 1) >> shift != 0; shift += kRadixBits) {
+    const auto digit = [&](std::uint32_t item) { return (keys[item] >> shift) & (kRadix - 1); };
+    forChunks(name, n, kSortChunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
+      std::uint32_t* count = &counts[c * kRadix];
+      std::fill(count, count + kRadix, 0u);
+      for (std::size_t i = begin; i < end; ++i) ++count[digit(order[i])];
+    });
+    // Digit-major, chunk-minor offsets: within a digit, earlier chunks come first, which keeps the sort
+    // stable.
+    std::uint32_t sum = 0;
+    for (std::uint32_t d = 0; d < kRadix; ++d)
+      for (std::size_t c = 0; c < chunks; ++c) sum += std::exchange(counts[c * kRadix + d], sum);
+    forChunks(name, n, kSortChunk, [&](std::size_t begin, std::size_t end, std::size_t c) {
+      std::uint32_t* offset = &counts[c * kRadix];
+      for (std::size_t i = begin; i < end; ++i) scratch[offset[digit(order[i])]++] = order[i];
+    });
+    order.swap(scratch);
+  }
+}
+
+}  // namespace spin

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/math/vec.h"
+
+namespace spin {
+
+/// One ray, local metres; hits count in (tMin, tMax).
+struct Ray {
+  Vec3f origin{};
+  Vec3f direction{};
+  float tMin = 0.0f;
+  float tMax = std::numeric_limits<float>::infinity();
+};
+
+struct RayHit {
+  float t = 0.0f;
+  std::uint32_t geometry = 0;  ///< what addTriangles returned
+  std::uint32_t triangle = 0;  ///< index within the geometry
+};
+
+/// Static triangles that rays are cast against. Add, commit once, then query from any thread.
+class RayScene {
+ public:
+  virtual ~RayScene() = default;
+  /// Copies the triangles; indices 3 per triangle. Both sides count. Returns the geometry's number, from 0
+  /// up.
+  virtual std::uint32_t addTriangles(const std::vector<Vec3f>& positions,
+                                     const std::vector<std::uint32_t>& indices) = 0;
+  virtual void commit() = 0;
+  virtual bool occluded(const Ray& ray) const = 0;
+  virtual std::optional<RayHit> closest(const Ray& ray) const = 0;
+  /// For messages and provenance: "embree" or "bvh".
+  virtual const char* name() const = 0;
+};
+
+using RaySceneFactory = std::function<std::unique_ptr<RayScene>()>;
+
+/// The built-in bounding-volume hierarchy (no dependency; slower than Embree).
+std::unique_ptr<RayScene> makeBvhRayScene();
+
+}  // namespace spin

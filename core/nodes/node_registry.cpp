@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nodes/node_registry.h"
+
+#include <array>
+
+#include "core/nodes/camera_node.h"
+#include "core/nodes/ground_nodes.h"
+#include "core/nodes/settings_nodes.h"
+#include "core/nodes/terrain_node.h"
+#include "core/nodes/weather_nodes.h"
+
+namespace spin {
+
+std::span<const NodeType* const> nodeTypes() {
+  static constexpr std::array<const NodeType*, 9> kTypes{
+      &kTerrainType,   &kModelType,    &kGroundTypeLayerType, &kGroundTemperatureLayerType,
+      &kWeatherType,   &kSnowfallType, &kCameraType,          &kRenderType,
+      &kSimulationType};
+  return kTypes;
+}
+
+const NodeType* findNodeType(std::string_view id) {
+  for (const NodeType* type : nodeTypes())
+    if (id == type->id) return type;
+  return nullptr;
+}
+
+}  // namespace spin

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nodes/settings_nodes.h"
+
+namespace spin {
+namespace {
+
+constexpr PropertyRow kRenderRows[] = {
+    property<&RenderNode::width>("width_px", SPIN_TR("Width"), SPIN_TR("Width of pictures."))
+        .in(Unit::Pixel)
+        .range(16, 16384, 16)
+        .affecting(Affects::Picture),
+    property<&RenderNode::height>("height_px", SPIN_TR("Height"), SPIN_TR("Height of pictures."))
+        .in(Unit::Pixel)
+        .range(16, 16384, 16)
+        .affecting(Affects::Picture),
+    property<&RenderNode::samples>("samples", SPIN_TR("Samples"),
+                                   SPIN_TR("Samples per pixel against jagged edges: 1, 2, 4 or 8."))
+        .range(1, 8, 1)
+        .affecting(Affects::Picture),
+    property<&RenderNode::exposure>("exposure_stops", SPIN_TR("Exposure"),
+                                    SPIN_TR("Brightness in stops: +1 is twice as bright."))
+        .range(-10, 10, 0.25)
+        .animated()
+        .affecting(Affects::Picture),
+    property<&RenderNode::showFlakes>("show_flakes", SPIN_TR("Show flakes"),
+                                      SPIN_TR("Draw the falling flakes."))
+        .affecting(Affects::Picture),
+    property<&RenderNode::showCaption>("show_caption", SPIN_TR("Show caption"),
+                                       SPIN_TR("Print the caption and the credit line on pictures."))
+        .affecting(Affects::Picture),
+    property<&RenderNode::caption>("caption", SPIN_TR("Caption"), SPIN_TR("Text printed on pictures."))
+        .affecting(Affects::Picture),
+};
+
+constexpr PropertyRow kSimulationRows[] = {
+    property<&SimulationNode::frameRate>("frame_rate", SPIN_TR("Frame rate"),
+                                         SPIN_TR("Pictures per second of film."))
+        .in(Unit::PerSecond)
+        .range(1, 240, 1),
+    property<&SimulationNode::timeScale>("time_scale", SPIN_TR("Time scale"),
+                                         SPIN_TR("Seconds of weather per second of film. Cover and mass use "
+                                                 "weather time, flakes on screen film time."))
+        .in(Unit::Factor)
+        .range(0, 1e6, 1),
+    property<&SimulationNode::firstFrame>(
+        "first_frame", SPIN_TR("First frame"),
+        SPIN_TR("First frame shown and exported; the simulation itself starts at 0."))
+        .range(0, 1000000, 1)
+        .affecting(Affects::Nothing),
+    property<&SimulationNode::lastFrame>("last_frame", SPIN_TR("Last frame"),
+                                         SPIN_TR("Last frame shown and exported."))
+        .range(0, 1000000, 1)
+        .affecting(Affects::Nothing),
+    property<&SimulationNode::seed>(
+        "seed", SPIN_TR("Seed"), SPIN_TR("Start of the random numbers: same scene, same seed, same result."))
+        .range(0, 2147483647, 1),
+    property<&SimulationNode::exposureRays>(
+        "exposure_rays", SPIN_TR("Exposure rays"),
+        SPIN_TR("Rays per cover cell that measure how open it lies; the error falls with the square root."))
+        .range(1, 65536, 16),
+    property<&SimulationNode::newSnowDensity>("new_snow_density_kg_m3", SPIN_TR("New snow density"),
+                                              SPIN_TR("0 takes it from the air temperature."))
+        .in(Unit::KilogramPerCubicMetre)
+        .range(0, 900, 10),
+    property<&SimulationNode::holdsBelowDegrees>(
+        "holds_below_deg", SPIN_TR("Holds below"),
+        SPIN_TR("Slopes flatter than this keep all the snow that reaches them."))
+        .in(Unit::Degree)
+        .range(0, 90, 1),
+    property<&SimulationNode::shedsAboveDegrees>("sheds_above_deg", SPIN_TR("Sheds above"),
+                                                 SPIN_TR("Slopes steeper than this keep none."))
+        .in(Unit::Degree)
+        .range(0, 90, 1),
+    property<&SimulationNode::exposureNoise>("exposure_noise", SPIN_TR("Cover noise"),
+                                             SPIN_TR("Unevenness of the cover; its mean is zero."))
+        .in(Unit::Factor)
+        .range(0, 0.5, 0.01),
+    property<&SimulationNode::checkpointInterval>(
+        "checkpoint_interval", SPIN_TR("Checkpoint every"),
+        SPIN_TR("Frames between full saves of the state, from which an edit restarts."))
+        .range(1, 10000, 1)
+        .affecting(Affects::Nothing),
+};
+
+}  // namespace
+
+constinit const NodeType kRenderType = nodeType<RenderNode>(
+    "render", SPIN_TR("Pictures"), SPIN_TR("Size and look of pictures."), true, kRenderRows);
+constinit const NodeType kSimulationType =
+    nodeType<SimulationNode>("simulation", SPIN_TR("Simulation"),
+                             SPIN_TR("Time, range and accuracy of the simulation."), true, kSimulationRows);
+
+}  // namespace spin

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nodes/terrain_node.h"
+
+namespace spin {
+namespace {
+
+constexpr PropertyRow kTerrainRows[] = {
+    property<&TerrainNode::source>("source", SPIN_TR("File"),
+                                   SPIN_TR("Raster file with the elevation model."))
+        .path(),
+    property<&TerrainNode::epsg>("epsg", SPIN_TR("EPSG code"),
+                                 SPIN_TR("Coordinate system; 0 takes the one named in the file."))
+        .range(0, 999999, 1)
+        .affecting(Affects::Nothing),
+    property<&TerrainNode::verticalScale>("vertical_scale", SPIN_TR("Vertical scale"),
+                                          SPIN_TR("Factor on the heights above the lowest point."))
+        .in(Unit::Factor)
+        .range(0.01, 100, 0.1),
+    property<&TerrainNode::coverDetailCell>(
+        "cover_detail_cell_m", SPIN_TR("Fine cover cell"),
+        SPIN_TR("Size of the snow cover cells near models; elsewhere the cover has the terrain's cells."))
+        .in(Unit::Metre)
+        .range(0.05, 10, 0.05),
+    property<&TerrainNode::coverDetailMargin>("cover_detail_margin_m", SPIN_TR("Fine cover margin"),
+                                              SPIN_TR("How far round a model the fine cover reaches."))
+        .in(Unit::Metre)
+        .range(0, 100, 1),
+    property<&TerrainNode::credit>("credit", SPIN_TR("Credit line"),
+                                   SPIN_TR("Source of the data, printed on pictures."))
+        .affecting(Affects::Picture),
+};
+
+constexpr PropertyRow kModelRows[] = {
+    property<&ModelNode::source>("source", SPIN_TR("File"), SPIN_TR("Model file (glTF, OBJ, PLY).")).path(),
+    property<&ModelNode::position>("position_m", SPIN_TR("Position"),
+                                   SPIN_TR("Place in local metres: east, north, up."))
+        .in(Unit::Metre)
+        .range(-1e6, 1e6, 0.5)
+        .animated(),
+    property<&ModelNode::onGround>("on_ground", SPIN_TR("Stand on ground"),
+                                   SPIN_TR("The height counts from the terrain under the model.")),
+    property<&ModelNode::rotationDegrees>("rotation_deg", SPIN_TR("Rotation"),
+                                          SPIN_TR("Turn about the x, y and z axes, in that order."))
+        .in(Unit::Degree)
+        .range(-3600, 3600, 5)
+        .animated(),
+    property<&ModelNode::scale>("scale", SPIN_TR("Scale"), SPIN_TR("Factor along each axis."))
+        .in(Unit::Factor)
+        .range(0.001, 1000, 0.1)
+        .animated(),
+    property<&ModelNode::coverCell>("cover_cell_m", SPIN_TR("Cover cell"),
+                                    SPIN_TR("Size of the snow cover cells on this model."))
+        .in(Unit::Metre)
+        .range(0.02, 10, 0.05),
+    property<&ModelNode::catchesSnow>(
+        "catches_snow", SPIN_TR("Catches snow"),
+        SPIN_TR("Snow lies on the parts that face up; otherwise the model only shelters what is below it.")),
+};
+
+}  // namespace
+
+constinit const NodeType kTerrainType =
+    nodeType<TerrainNode>("terrain", SPIN_TR("Terrain"),
+                          SPIN_TR("An elevation model; the ground of the scene."), true, kTerrainRows);
+constinit const NodeType kModelType = nodeType<ModelNode>(
+    "model", SPIN_TR("Model"), SPIN_TR("An imported object: a house, a tree, a car."), false, kModelRows);
+
+}  // namespace spin

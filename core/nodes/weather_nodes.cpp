@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nodes/weather_nodes.h"
+
+#include "core/base/units.h"
+
+namespace spin {
+namespace {
+
+constexpr PropertyRow kWeatherRows[] = {
+    property<&WeatherNode::airTemperature>("air_temperature_k", SPIN_TR("Air temperature"),
+                                           SPIN_TR("Temperature of the air; sets the density of new snow."))
+        .in(Unit::Kelvin)
+        .range(213.15, 333.15, 0.5)
+        .animated(),
+    property<&WeatherNode::windSpeed>("wind_speed_m_s", SPIN_TR("Wind speed"),
+                                      SPIN_TR("Mean wind; tilts the fall of the snow."))
+        .in(Unit::MetrePerSecond)
+        .range(0, 80, 0.5)
+        .animated(),
+    property<&WeatherNode::windFromDegrees>("wind_from_deg", SPIN_TR("Wind from"),
+                                            SPIN_TR("Direction the wind comes from: 0 north, 90 east."))
+        .in(Unit::Degree)
+        .range(-720, 720, 5)
+        .animated(),
+    property<&WeatherNode::precipitationRate>(
+        "precipitation_rate_kg_m2_s", SPIN_TR("Precipitation"),
+        SPIN_TR("Water that falls on level ground; it rules picture and cover alike."))
+        .in(Unit::PrecipitationRate)
+        .range(0, 500.0 / 3600.0, 0.5 / 3600.0)
+        .animated(),
+    property<&WeatherNode::sunAzimuthDegrees>("sun_azimuth_deg", SPIN_TR("Sun azimuth"),
+                                              SPIN_TR("Direction of the sun from north through east."))
+        .in(Unit::Degree)
+        .range(-720, 720, 5)
+        .animated()
+        .affecting(Affects::Picture),
+    property<&WeatherNode::sunElevationDegrees>("sun_elevation_deg", SPIN_TR("Sun elevation"),
+                                                SPIN_TR("Height of the sun above the horizon."))
+        .in(Unit::Degree)
+        .range(-20, 90, 1)
+        .animated()
+        .affecting(Affects::Picture),
+    property<&WeatherNode::cloudCover>("cloud_cover", SPIN_TR("Cloud cover"),
+                                       SPIN_TR("0 is a clear sky, 1 an overcast one; clouds soften the sun."))
+        .in(Unit::Factor)
+        .range(0, 1, 0.05)
+        .animated()
+        .affecting(Affects::Picture),
+};
+
+constexpr Choice kFlakeTypes[] = {
+    {"dendrite_aggregate", SPIN_TR("Dendrite aggregates, unrimed")},
+    {"rimed_aggregate", SPIN_TR("Dendrite aggregates, densely rimed")},
+    {"graupel", SPIN_TR("Hexagonal graupel")},
+};
+
+constexpr PropertyRow kSnowfallRows[] = {
+    property<&SnowfallNode::type>(
+        "type", SPIN_TR("Type of snow"),
+        SPIN_TR("Sets mass and fall speed of the flakes (Locatelli and Hobbs 1974)."))
+        .oneOf(kFlakeTypes),
+    property<&SnowfallNode::rateFactor>("rate_factor", SPIN_TR("Rate factor"),
+                                        SPIN_TR("Factor on the weather's precipitation."))
+        .in(Unit::Factor)
+        .range(0, 10, 0.1)
+        .animated(),
+    property<&SnowfallNode::fallSpreadDegrees>(
+        "fall_spread_deg", SPIN_TR("Fall spread"),
+        SPIN_TR("Half-angle of the cone of fall directions; softens the edge of shelter."))
+        .in(Unit::Degree)
+        .range(0, 60, 1),
+    property<&SnowfallNode::flutterAmplitude>("flutter_amplitude_m", SPIN_TR("Flutter amplitude"),
+                                              SPIN_TR("Sideways swing of a flake about its path."))
+        .in(Unit::Metre)
+        .range(0, 2, 0.05),
+    property<&SnowfallNode::flutterRate>("flutter_rate_rad_s", SPIN_TR("Flutter rate"),
+                                         SPIN_TR("Angular rate of the swing, rad/s."))
+        .in(Unit::PerSecond)
+        .range(0, 50, 0.5),
+    property<&SnowfallNode::boxSize>("box_m", SPIN_TR("Flake box"),
+                                     SPIN_TR("Edge of the box round the camera in which flakes are drawn."))
+        .in(Unit::Metre)
+        .range(2, 500, 1),
+    property<&SnowfallNode::flakeCount>(
+        "flake_count", SPIN_TR("Flakes drawn"),
+        SPIN_TR(
+            "Number of flakes in the box; each stands for as many real ones as the precipitation asks for."))
+        .range(0, 2000000, 1000),
+};
+
+}  // namespace
+
+constinit const NodeType kWeatherType = nodeType<WeatherNode>(
+    "weather", SPIN_TR("Weather"), SPIN_TR("Air, wind, precipitation and sun."), true, kWeatherRows);
+constinit const NodeType kSnowfallType = nodeType<SnowfallNode>(
+    "snowfall", SPIN_TR("Snowfall"), SPIN_TR("Falling snow and the cover it lays."), true, kSnowfallRows);
+
+Vec3d windVector(double speed, double fromDegrees) {
+  const double a = degreesToRadians(fromDegrees);
+  return {-speed * std::sin(a), -speed * std::cos(a), 0.0};
+}
+
+Vec3d sunDirection(double azimuthDegrees, double elevationDegrees) {
+  const double a = degreesToRadians(azimuthDegrees), e = degreesToRadians(elevationDegrees);
+  return {std::sin(a) * std::cos(e), std::cos(a) * std::cos(e), std::sin(e)};
+}
+
+}  // namespace spin

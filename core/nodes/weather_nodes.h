@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/property/property_table.h"
+
+namespace spin {
+
+/// Weather over the whole scene.
+struct WeatherNode : NodeData {
+  double airTemperature = 268.15;           ///< K
+  double windSpeed = 2.0;                   ///< m/s
+  double windFromDegrees = 270.0;           ///< where the wind comes from: 0 north, 90 east
+  double precipitationRate = 5.0 / 3600.0;  ///< kg/(m2 s) on level ground
+  double sunAzimuthDegrees = 160.0;         ///< from north through east
+  double sunElevationDegrees = 28.0;
+  double cloudCover = 0.4;  ///< 0 clear .. 1 overcast
+};
+extern const NodeType kWeatherType;
+
+/// Wind vector from speed and the direction it comes from, m/s (x east, y north).
+Vec3d windVector(double speed, double fromDegrees);
+/// Unit vector towards the sun.
+Vec3d sunDirection(double azimuthDegrees, double elevationDegrees);
+
+/// Types of falling snow with measured fall speeds (Locatelli and Hobbs 1974).
+enum class FlakeType : std::uint8_t { UnrimedDendriteAggregate, RimedDendriteAggregate, HexagonalGraupel };
+
+/// Falling snow: turns the weather's precipitation into flakes and cover.
+struct SnowfallNode : NodeData {
+  FlakeType type = FlakeType::UnrimedDendriteAggregate;
+  double rateFactor = 1.0;          ///< on the weather's precipitation rate
+  double fallSpreadDegrees = 15.0;  ///< half-angle of the cone of fall directions
+  double flutterAmplitude = 0.15;   ///< m
+  double flutterRate = 3.0;         ///< rad/s
+  double boxSize = 48.0;            ///< m, edge of the wrap-round box at the camera
+  int flakeCount = 20000;           ///< drawn flakes in the box
+};
+extern const NodeType kSnowfallType;
+
+}  // namespace spin

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "core/base/cancel.h"
+#include "core/sim/frame_store.h"
+#include "core/sim/pipeline.h"
+
+namespace spin {
+
+struct RunOptions {
+  int lastFrame = 0;         ///< simulate 0 .. lastFrame; frames that are ready are not computed again
+  int threads = 0;           ///< 0 = all
+  std::string isa = "auto";  ///< auto | avx512 | avx2 | baseline; part of the backend's name and the keys
+  RaySceneFactory makeRayScene = makeBvhRayScene;
+};
+
+struct RunProgress {
+  int frame = 0;  ///< frame in work
+  int lastFrame = 0;
+  double fractionDone = 0.0;  ///< of the whole run
+  double secondsLeft = -1.0;  ///< estimate; < 0 = not known yet
+  StageTimings timings;       ///< of the run so far
+};
+
+struct RunCallbacks {
+  std::function<void(const RunProgress&)> progress;  ///< at least once per frame, at most every 50 ms
+  std::function<void(const FramePointer&)> frameReady;
+};
+
+/// Need of a run, shown before it starts.
+struct RunEstimate {
+  double memoryBytes = 0.0;
+  double diskBytes = 0.0;
+  int framesToCompute = 0;
+};
+RunEstimate estimateRun(const SceneSnapshot& scene, FrameStore& store, const RunOptions& options);
+
+/// Simulates in the calling thread into the store: sets the store's keys, finds the latest usable checkpoint
+/// or frame, continues from there. Ends early with ErrorKind::Cancelled within a second of cancel. On an
+/// error the frames finished so far stay. A NaN in a published frame is an error that names process and part.
+Status runSimulation(const SceneSnapshot& scene, FrameStore& store, const RunOptions& options,
+                     const RunCallbacks& callbacks, const CancelToken& cancel);
+
+/// Runs runSimulation() on its own low-priority thread; a new start() cancels the old run and waits for it
+/// off the caller's thread. Callbacks come on the runner's thread.
+class Runner {
+ public:
+  Runner();
+  ~Runner();  ///< cancels and joins
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
+
+  void start(SnapshotPointer scene, std::shared_ptr<FrameStore> store, RunOptions options,
+             RunCallbacks callbacks, std::function<void(const Status&)> finished);
+  void cancel();
+  bool running() const;
+  /// Blocks until idle (tests, shutdown).
+  void wait();
+
+ private:
+  struct State;
+  std::unique_ptr<State> m_state;
+};
+
+/// Version of the solver's results; part of every key. Raise it when results change.
+inline constexpr const char* kSolverVersion = "1";
+/// "cpu-avx512" and so on for the instruction set in use.
+std::string backendName(const std::string& isa);
+
+}  // namespace spin

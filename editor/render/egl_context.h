@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/base/result.h"
+
+namespace spin {
+
+/// An OpenGL 4.5 core context without a window (EGL surfaceless), current on the thread that made it.
+class EglContext {
+ public:
+  static Result<std::unique_ptr<EglContext>> create();
+  ~EglContext();
+  EglContext(const EglContext&) = delete;
+  EglContext& operator=(const EglContext&) = delete;
+  /// GL_RENDERER, for reports and manifests.
+  std::string rendererName() const;
+
+ private:
+  EglContext() = default;
+  struct State;
+  std::unique_ptr<State> m_state;
+};
+
+}  // namespace spin

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/sim/frame.h"
+#include "core/sim/snapshot.h"
+
+namespace spin {
+
+/// Where the eye is. Local metres, z up.
+struct RenderCamera {
+  Vec3d position{0, -50, 20};
+  Vec3d target{};
+  double fovDegrees = 45.0;  ///< vertical
+};
+
+/// The scene's camera node at a film time.
+RenderCamera cameraOf(const SceneSnapshot& scene, double filmTime);
+
+/// What the ground shows.
+enum class GroundDisplay : std::uint8_t { Natural, GroundType, GroundTemperature };
+
+struct RenderOptions {
+  int width = 1280;
+  int height = 720;
+  bool showFlakes = true;
+  bool showSnow = true;
+  GroundDisplay ground = GroundDisplay::Natural;
+  std::string selectedNode;  ///< outlined; empty = none
+  double quality = 1.0;      ///< < 1 draws coarser terrain and fewer flakes (while the user moves the view)
+};
+
+/// Draws a snapshot and a frame into the bound framebuffer of the current OpenGL 4.5 core context. No
+/// widgets, no Qt: the viewport and the command line use the same object. All calls need that context
+/// current. Colours are written tone-mapped and sRGB-encoded into 8-bit targets, linear into float targets
+/// (see drawLinear).
+class Renderer {
+ public:
+  Renderer();
+  ~Renderer();  ///< needs the context current if initialise() succeeded
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// Compiles shaders; the error says what the driver lacks.
+  Status initialise();
+  /// Takes over a new snapshot; only what changed is uploaded again (compared by content and node data). Null
+  /// = empty scene.
+  void setScene(SnapshotPointer scene);
+  /// Takes over a frame's cover and flakes; null = bare scene.
+  void setFrame(FramePointer frame);
+  /// Draws at a film time into `framebuffer` (0 = default), display-referred.
+  void draw(unsigned framebuffer, const RenderCamera& camera, double filmTime, const RenderOptions& options);
+  /// Draws into a multisampled float target of its own and returns linear RGBA, rows from the top.
+  Result<std::vector<float>> drawLinear(const RenderCamera& camera, double filmTime,
+                                        const RenderOptions& options, int samples);
+
+  /// Seconds of the last draw by pass (glFinish and a clock; only measured when asked for).
+  void setMeasuring(bool on);
+  const StageTimings& timings() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> m_state;
+};
+
+}  // namespace spin

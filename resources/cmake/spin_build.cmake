@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: 2026 Spindrift contributors
+# SPDX-License-Identifier: Apache-2.0
+# Language level, warnings, sanitizers, ccache, and the two functions every folder uses.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+# Debug checks (SPIN_DCHECK) follow NDEBUG, which Release defines.
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+
+find_program(SPIN_CCACHE ccache)
+if(SPIN_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${SPIN_CCACHE}")
+  set(CMAKE_CUDA_COMPILER_LAUNCHER "${SPIN_CCACHE}")
+endif()
+
+add_library(spin_options INTERFACE)
+target_include_directories(spin_options INTERFACE "${PROJECT_SOURCE_DIR}")
+# Contraction off: a*b+c rounds alike in every instruction set unless a kernel asks for fma by name.
+# No errno and no traps from math: the loops vectorise; NaN and infinity keep their meaning.
+target_compile_options(spin_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off -fno-math-errno -fno-trapping-math -fvisibility=hidden -fvisibility-inlines-hidden>)
+target_compile_options(spin_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align -Wunused -Wnull-dereference -Wdouble-promotion -Wimplicit-fallthrough>)
+if(SPIN_WARNINGS_AS_ERRORS)
+  target_compile_options(spin_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
+endif()
+target_compile_definitions(spin_options INTERFACE SPIN_VERSION="${PROJECT_VERSION}")
+if(SPIN_SANITIZE)
+  target_compile_options(spin_options INTERFACE -fsanitize=${SPIN_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -Wno-maybe-uninitialized -Wno-null-dereference)
+  target_link_options(spin_options INTERFACE -fsanitize=${SPIN_SANITIZE})
+endif()
+
+find_package(Threads REQUIRED)
+
+# spin_add_library(NAME DIRS dir... LINK lib...): a static library of all .cpp files in the folders (not below them).
+function(spin_add_library name)
+  cmake_parse_arguments(ARG "" "" "DIRS;LINK;EXCLUDE" ${ARGN})
+  set(sources)
+  foreach(dir ${ARG_DIRS})
+    file(GLOB found CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${dir}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/${dir}/*.h")
+    list(APPEND sources ${found})
+  endforeach()
+  foreach(pattern ${ARG_EXCLUDE})
+    list(FILTER sources EXCLUDE REGEX "${pattern}")
+  endforeach()
+  if(NOT sources)
+    return()
+  endif()
+  add_library(${name} STATIC ${sources})
+  set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
+  target_link_libraries(${name} PUBLIC spin_options ${ARG_LINK})
+endfunction()
+
+# spin_add_test(NAME LABEL label SOURCES file... LINK lib... [ENV VAR=value...] [TIMEOUT s]): one GoogleTest program.
+function(spin_add_test name)
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;LINK;ENV" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gtest_main)
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${ARG_ENV}")
+endfunction()

@@ -1,0 +1,33 @@
+# SPDX-FileCopyrightText: 2026 Spindrift contributors
+# SPDX-License-Identifier: Apache-2.0
+# Finds nvcc and enables CUDA; sets SPIN_CUDA_FOUND.
+
+set(SPIN_CUDA_FOUND FALSE)
+if(NOT SPIN_WITH_CUDA STREQUAL "OFF")
+  if(NOT CMAKE_CUDA_COMPILER)
+    find_program(SPIN_NVCC nvcc HINTS ENV CUDA_HOME ENV CUDA_PATH PATH_SUFFIXES bin PATHS /usr/local/cuda/bin)
+    if(SPIN_NVCC)
+      set(CMAKE_CUDA_COMPILER "${SPIN_NVCC}")
+    endif()
+  endif()
+  if(CMAKE_CUDA_COMPILER)
+    set(CMAKE_CUDA_ARCHITECTURES "${SPIN_CUDA_ARCHITECTURES}")
+    enable_language(CUDA)
+    set(SPIN_CUDA_FOUND TRUE)
+    # CMake 3.25 knows no C++20 for nvcc 13 and adds no flag at all; nvcc itself takes -std=c++20.
+    if(NOT DEFINED CMAKE_CUDA20_STANDARD_COMPILE_OPTION)
+      set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION "-std=c++20")
+      set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION "-std=c++20")
+    endif()
+    set(CMAKE_CUDA_STANDARD 20)
+    set(CMAKE_CUDA_STANDARD_REQUIRED ON)
+    set(CMAKE_CUDA_RUNTIME_LIBRARY Static)
+    find_package(CUDAToolkit REQUIRED)
+    message(STATUS "CUDA backend: ${CMAKE_CUDA_COMPILER} for ${SPIN_CUDA_ARCHITECTURES}")
+  elseif(SPIN_WITH_CUDA STREQUAL "ON")
+    message(FATAL_ERROR "SPIN_WITH_CUDA=ON but nvcc was not found; put it on PATH or set CMAKE_CUDA_COMPILER")
+  endif()
+endif()
+if(NOT SPIN_CUDA_FOUND)
+  message(STATUS "CUDA backend: left out")
+endif()
