@@ -19,8 +19,8 @@ struct Key {
 };
 
 /// Keys in ascending, distinct times. Before the first and after the last key the value is held.
-/// Reals and vectors interpolate (Smooth: monotone cubic, Fritsch and Carlson 1980, no overshoot); all other
-/// kinds step.
+/// Reals and vectors interpolate (Smooth: monotone cubic of Fritsch and Carlson 1980 with the slopes of
+/// Fritsch and Butland 1984, level at both ends, never past its keys); all other kinds step.
 class AnimationCurve {
  public:
   const std::vector<Key>& keys() const { return m_keys; }
@@ -29,6 +29,8 @@ class AnimationCurve {
   void setKey(Key key);
   /// Removes the key within 1e-6 s of the time; false if there is none.
   bool removeKey(double time);
+  /// The key within 1e-6 s of the time; nullptr if there is none.
+  const Key* keyAt(double time) const;
   /// Requires at least one key.
   Value at(double time) const;
   friend bool operator==(const AnimationCurve&, const AnimationCurve&) = default;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -188,6 +189,8 @@ constexpr NodeType nodeType(const char* id, const char* label, const char* doc, 
 Value defaultValue(const NodeType& type, const PropertyInfo& property);
 /// Checks kind, finiteness and range; the error names the property, the value and the allowed range.
 Status validate(const PropertyInfo& property, const Value& value);
+/// Text form that parseValue() reads back: choices by id, all else like toText(value).
+std::string toText(const PropertyInfo& property, const Value& value);
 /// Reads the command line's text form in SI (choices by id); checks it like validate().
 Result<Value> parseValue(const PropertyInfo& property, std::string_view text);
 

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/property/value.h"
+
+#include <fmt/format.h>
+
+#include "core/base/check.h"
+#include "core/base/units.h"
+
+namespace spin {
+
+UnitInfo unitInfo(Unit unit) {
+  switch (unit) {
+    case Unit::None:
+    case Unit::Factor:
+      return {"", 1.0, 0.0};
+    case Unit::Metre:
+      return {"m", 1.0, 0.0};
+    case Unit::MetrePerSecond:
+      return {"m/s", 1.0, 0.0};
+    case Unit::Degree:
+      return {"\u00b0", 1.0, 0.0};
+    case Unit::Kelvin:
+      return {"\u00b0C", 1.0, -kZeroCelsius};
+    case Unit::PrecipitationRate:
+      return {"mm/h", 3600.0, 0.0};
+    case Unit::KilogramPerCubicMetre:
+      return {"kg/m\u00b3", 1.0, 0.0};
+    case Unit::Second:
+      return {"s", 1.0, 0.0};
+    case Unit::PerSecond:
+      return {"1/s", 1.0, 0.0};
+    case Unit::Pixel:
+      return {"px", 1.0, 0.0};
+    case Unit::Byte:
+      return {"MiB", 1.0 / (1024.0 * 1024.0), 0.0};
+  }
+  SPIN_CHECK(false, "unit without a row");
+}
+
+namespace {
+
+struct TextOf {
+  std::string operator()(bool value) const { return value ? "true" : "false"; }
+  std::string operator()(std::int64_t value) const { return fmt::format("{}", value); }
+  /// fmt prints the shortest text that reads back as the same number, whatever the locale.
+  std::string operator()(double value) const { return fmt::format("{}", value); }
+  std::string operator()(const Vec3d& value) const {
+    return fmt::format("{} {} {}", value.x, value.y, value.z);
+  }
+  std::string operator()(const std::string& value) const { return value; }
+};
+
+}  // namespace
+
+std::string toText(const Value& value) {
+  return std::visit(TextOf{}, value);
+}
+
+}  // namespace spin
