@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -45,8 +46,11 @@ struct BenchRow {
   /// error <= bar
   void addError(const std::string& name, double value, const std::string& unit, double bar);
   void addFigure(const std::string& name, double value, const std::string& unit);
-  /// value >= bar for rates; reported, never failing
+  /// A time or rate without a bar.
   void addTime(const std::string& name, double value, const std::string& unit);
+  /// A rate with its bar, value >= bar; reported, never failing.
+  void addRate(const std::string& name, double value, const std::string& unit, double bar);
+  /// No error bar was missed. A NaN misses every bar.
   bool pass() const;
 };
 
@@ -69,8 +73,9 @@ Result<std::vector<BenchRow>> readBenchJson(const std::string& text);
 Status writeBenchReport(const std::vector<BenchRow>& rows, const std::string& directory);
 
 /// `bench` of both programs: parses --list, --quick, --json FILE, --report DIR, --device, --isa, --threads,
-/// --data, --met, --obs,
-/// --site and case names; prints a table; returns the exit code (1 if an error bar was missed).
+/// --data, --met, --obs, --site and case names; prints a table; returns the exit code: 0, 1 (an error bar was
+/// missed or a case could not finish), 2 (usage). A row that leaves seconds, peakBytes, device, isa or
+/// threads empty gets those of its whole case.
 int benchMain(const std::vector<std::string>& arguments, const std::vector<BenchCase>& cases,
               const RaySceneFactory& makeRayScene);
 
