@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "editor/document/change_event.h"
+
+class QFormLayout;
+class QLabel;
+class QScrollArea;
+
+namespace spin {
+
+class PropertyRowEditor;
+class SceneDocument;
+class TimeContext;
+
+/// All properties of the selected node, made from its property table: a fitting widget in display units, the
+/// documentation as tooltip, a key button and a revert button. Shows values at the current frame.
+class PropertyPanel : public QWidget {
+  Q_OBJECT
+ public:
+  PropertyPanel(SceneDocument* document, TimeContext* time, QWidget* parent = nullptr);
+  ~PropertyPanel() override;
+
+  /// The row of a property of the shown node; nullptr if there is none.
+  PropertyRowEditor* row(const std::string& property) const;
+
+ signals:
+  /// An edit was refused; for the status bar.
+  void editRefused(const QString& message);
+
+ private:
+  void showNode(const std::string& id);
+  void follow(const ChangeEvent& event);
+  void refreshRows();
+  void revealProperty(const std::string& node, const std::string& property);
+
+  SceneDocument* m_document;
+  TimeContext* m_time;
+  std::string m_node;
+  QLabel* m_title;
+  QScrollArea* m_scroll;
+  std::vector<PropertyRowEditor*> m_rows;
+};
+
+}  // namespace spin
