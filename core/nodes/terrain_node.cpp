@@ -13,6 +13,22 @@ constexpr PropertyRow kTerrainRows[] = {
                                  SPIN_TR("Coordinate system; 0 takes the one named in the file."))
         .range(0, 999999, 1)
         .affecting(Affects::Nothing),
+    property<&TerrainNode::cellSize>(
+        "cell_size_m", SPIN_TR("Cell size"),
+        SPIN_TR("Distance of the heights in files without coordinates; 0 takes the file's, or 1 m."))
+        .in(Unit::Metre)
+        .range(0, 10000, 1),
+    property<&TerrainNode::heightUnit>(
+        "height_unit_m", SPIN_TR("Height unit"),
+        SPIN_TR("Metres per unit of height in files that name no unit, such as 16-bit PNG."))
+        .in(Unit::Metre)
+        .range(1e-6, 1000, 0.1),
+    property<&TerrainNode::hasNoData>(
+        "has_no_data", SPIN_TR("Marks holes"),
+        SPIN_TR("The hole value marks cells without height, in files that cannot name one.")),
+    property<&TerrainNode::noData>("no_data", SPIN_TR("Hole value"),
+                                   SPIN_TR("Value of cells without height, in units of the file."))
+        .range(-1e9, 1e9, 1),
     property<&TerrainNode::verticalScale>("vertical_scale", SPIN_TR("Vertical scale"),
                                           SPIN_TR("Factor on the heights above the lowest point."))
         .in(Unit::Factor)
@@ -31,8 +47,20 @@ constexpr PropertyRow kTerrainRows[] = {
         .affecting(Affects::Picture),
 };
 
+constexpr Choice kUpAxes[] = {
+    {"file", SPIN_TR("As the file says")},
+    {"y", SPIN_TR("Y is up")},
+    {"z", SPIN_TR("Z is up")},
+};
+
 constexpr PropertyRow kModelRows[] = {
     property<&ModelNode::source>("source", SPIN_TR("File"), SPIN_TR("Model file (glTF, OBJ, PLY).")).path(),
+    property<&ModelNode::upAxis>("up_axis", SPIN_TR("Up axis"), SPIN_TR("Which way is up in the model file."))
+        .oneOf(kUpAxes),
+    property<&ModelNode::unitScale>("unit_m", SPIN_TR("Unit of the file"),
+                                    SPIN_TR("Metres per unit of the file; 0 takes what the format says."))
+        .in(Unit::Metre)
+        .range(0, 1000, 0.01),
     property<&ModelNode::position>("position_m", SPIN_TR("Position"),
                                    SPIN_TR("Place in local metres: east, north, up."))
         .in(Unit::Metre)

@@ -11,6 +11,10 @@ namespace spin {
 struct TerrainNode : NodeData {
   std::string source;              ///< raster file
   int epsg = 0;                    ///< overrides the file's coordinate system; 0 = take the file's
+  double cellSize = 0.0;           ///< m, for files without georeference; 0 = the file's, or 1 m
+  double heightUnit = 1.0;         ///< m per unit of height, for files that name none (16-bit PNG)
+  bool hasNoData = false;          ///< noData marks cells without height, for files that cannot say so
+  double noData = 0.0;             ///< in units of the file
   double verticalScale = 1.0;      ///< factor on heights above the lowest
   double coverDetailCell = 0.25;   ///< m, cover cells near models
   double coverDetailMargin = 6.0;  ///< m, how far round a model the fine cover reaches
@@ -18,10 +22,15 @@ struct TerrainNode : NodeData {
 };
 extern const NodeType kTerrainType;
 
+/// Which way is up in a model file.
+enum class ModelUpAxis : std::uint8_t { File, Y, Z };
+
 /// An imported model standing in the scene.
 struct ModelNode : NodeData {
   std::string source;  ///< model file
-  Vec3d position{};    ///< m, local; z above the ground where onGround is set
+  ModelUpAxis upAxis = ModelUpAxis::File;
+  double unitScale = 0.0;  ///< m per unit of the file; 0 = as the format says
+  Vec3d position{};        ///< m, local; z above the ground where onGround is set
   bool onGround = true;
   Vec3d rotationDegrees{};  ///< about x, y, z
   Vec3d scale{1, 1, 1};
