@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/viewport/ground_brush.h"
+
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/fields/terrain_surface.h"
+#include "editor/viewport/scene_picker.h"
+
+namespace spin {
+namespace {
+
+constexpr int kRimPoints = 48;
+
+}  // namespace
+
+TiledRaster<std::uint8_t> groundTypeLayer(const SceneSnapshot& scene) {
+  const Raster<float>& heights = scene.terrain->heights;
+  GroundType base = GroundTypeLayerNode{}.base;
+  for (const SceneNode& node : scene.nodes) {
+    const auto* layer = node.as<GroundTypeLayerNode>();
+    if (!layer) continue;
+    const auto* painted = std::get_if<TiledRaster<std::uint8_t>>(&node.painted);
+    if (painted && painted->width() == heights.width && painted->height() == heights.height) return *painted;
+    base = layer->base;
+  }
+  return {heights.width, heights.height, static_cast<std::uint8_t>(base)};
+}
+
+void GroundBrush::hover(const ViewportContext& context, Vec2d pixel) {
+  m_position = context.scene ? pickTerrain(*context.scene, context.view.ray(pixel)) : std::nullopt;
+}
+
+std::vector<Vec3d> GroundBrush::rim(const ViewportContext& context) const {
+  std::vector<Vec3d> rim;
+  if (!m_position || !context.scene || !context.scene->terrain) return rim;
+  const TerrainSurface surface(context.scene->terrain->heights);
+  for (int k = 0; k < kRimPoints; ++k) {
+    const double angle = 2.0 * kPi * k / kRimPoints;
+    const double x = m_position->x + m_radius * std::cos(angle);
+    const double y = m_position->y + m_radius * std::sin(angle);
+    rim.push_back({x, y, surface.heightAt(x, y).value_or(m_position->z)});
+  }
+  return rim;
+}
+
+bool GroundBrush::begin(const ViewportContext& context, Vec2d pixel) {
+  hover(context, pixel);
+  if (!m_position) return false;
+  m_stroke.emplace(groundTypeLayer(*context.scene), context.scene->terrain->heights, m_radius,
+                   static_cast<std::uint8_t>(m_type));
+  m_stroke->moveTo({m_position->x, m_position->y});
+  return true;
+}
+
+bool GroundBrush::drag(const ViewportContext& context, Vec2d pixel) {
+  hover(context, pixel);
+  if (!m_position || !m_stroke) return false;
+  m_stroke->moveTo({m_position->x, m_position->y});
+  return m_stroke->changed();
+}
+
+}  // namespace spin

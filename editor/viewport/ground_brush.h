@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/nodes/ground_nodes.h"
+#include "editor/viewport/brush_stroke.h"
+#include "editor/viewport/model_gizmo.h"
+
+namespace spin {
+
+/// The ground type brush in the view: where it is on the terrain and the stroke in work.
+class GroundBrush {
+ public:
+  double radius() const { return m_radius; }  ///< m
+  void setRadius(double metres) { m_radius = metres; }
+  GroundType type() const { return m_type; }
+  void setType(GroundType type) { m_type = type; }
+
+  /// Follows the pointer without painting.
+  void hover(const ViewportContext& context, Vec2d pixel);
+  void leave() { m_position.reset(); }
+  const std::optional<Vec3d>& position() const { return m_position; }
+  /// The brush's rim draped on the terrain; empty where the pointer is not over it.
+  std::vector<Vec3d> rim(const ViewportContext& context) const;
+
+  /// Begins a stroke on the scene's ground type layer, or on a fresh one; false beside the terrain.
+  bool begin(const ViewportContext& context, Vec2d pixel);
+  /// Goes on painting; true if cells changed.
+  bool drag(const ViewportContext& context, Vec2d pixel);
+  bool painting() const { return m_stroke.has_value(); }
+  /// The layer with the stroke; requires painting().
+  const TiledRaster<std::uint8_t>& layer() const { return m_stroke->layer(); }
+  void end() { m_stroke.reset(); }
+
+ private:
+  double m_radius = 12.0;
+  GroundType m_type = GroundType::Rock;
+  std::optional<Vec3d> m_position;
+  std::optional<BrushStroke> m_stroke;
+};
+
+/// The painted ground types of a scene; all base type where nothing is painted yet. Requires terrain.
+TiledRaster<std::uint8_t> groundTypeLayer(const SceneSnapshot& scene);
+
+}  // namespace spin

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/viewport/overlay_painter.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace spin {
+namespace {
+
+QColor colourOf(GizmoHandle handle) {
+  switch (handle) {
+    case GizmoHandle::AxisX:
+    case GizmoHandle::PlaneX:
+      return QColor(226, 87, 76);
+    case GizmoHandle::AxisY:
+    case GizmoHandle::PlaneY:
+      return QColor(112, 186, 88);
+    case GizmoHandle::AxisZ:
+    case GizmoHandle::PlaneZ:
+      return QColor(74, 144, 226);
+    default:
+      return QColor(230, 230, 230);
+  }
+}
+
+/// Nothing if a point lies behind the eye.
+std::optional<QPolygonF> projected(const ViewFrame& view, const std::vector<Vec3d>& points) {
+  QPolygonF polygon;
+  for (const Vec3d& point : points) {
+    const auto pixel = view.project(point);
+    if (!pixel) return std::nullopt;
+    polygon << QPointF(pixel->x, pixel->y);
+  }
+  return polygon;
+}
+
+void paintTip(QPainter& painter, const QPolygonF& arm, GizmoMode mode) {
+  const QPointF tip = arm.back();
+  const QPointF along = tip - arm.front();
+  const double length = std::hypot(along.x(), along.y());
+  if (mode == GizmoMode::Scale || length < 1.0) {
+    painter.drawRect(QRectF(tip - QPointF(4.5, 4.5), QSizeF(9, 9)));
+    return;
+  }
+  const QPointF u = along / length;
+  const QPointF v(-u.y(), u.x());
+  painter.drawPolygon(QPolygonF({tip + u * 10.0, tip + v * 5.0, tip - v * 5.0}));
+}
+
+void paintHandle(QPainter& painter, const QPolygonF& outline, GizmoMode mode, GizmoHandle handle,
+                 bool active) {
+  const QColor colour = active ? QColor(255, 220, 90) : colourOf(handle);
+  QColor fill = colour;
+  const bool plane =
+      handle == GizmoHandle::PlaneX || handle == GizmoHandle::PlaneY || handle == GizmoHandle::PlaneZ;
+  painter.setPen(QPen(colour, active ? 3.0 : 2.0, Qt::SolidLine, Qt::RoundCap));
+  if (handle == GizmoHandle::Centre) {
+    fill.setAlpha(active ? 200 : 110);
+    painter.setBrush(fill);
+    painter.drawEllipse(outline.front(), 6.0, 6.0);
+    return;
+  }
+  fill.setAlpha(plane ? 90 : 255);
+  if (plane) {
+    painter.setBrush(fill);
+    painter.drawPolygon(outline);
+    return;
+  }
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPolyline(outline);
+  painter.setBrush(fill);
+  if (mode != GizmoMode::Rotate) paintTip(painter, outline, mode);
+}
+
+}  // namespace
+
+void paintGizmo(QPainter& painter, const ViewFrame& view, const GizmoPose& pose, GizmoMode mode,
+                GizmoHandle active) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const GizmoHandle handle : gizmoHandles(mode)) {
+    const auto outline = projected(view, gizmoOutline(pose, mode, handle));
+    if (outline) paintHandle(painter, *outline, mode, handle, handle == active);
+  }
+}
+
+void paintLoop(QPainter& painter, const ViewFrame& view, const std::vector<Vec3d>& loop) {
+  const auto outline = projected(view, loop);
+  if (!outline || outline->size() < 3) return;
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(QColor(0, 0, 0, 140), 3.5));
+  painter.drawPolygon(*outline);
+  painter.setPen(QPen(QColor(255, 235, 150), 1.5));
+  painter.drawPolygon(*outline);
+}
+
+void paintHint(QPainter& painter, const QRectF& area, const QString& title, const QString& text) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF box(area.center() - QPointF(230, 60), QSizeF(460, 120));
+  painter.setPen(QPen(QColor(120, 130, 140), 1.5, Qt::DashLine));
+  painter.setBrush(QColor(30, 33, 38, 200));
+  painter.drawRoundedRect(box, 10, 10);
+  QFont font = painter.font();
+  font.setPointSizeF(font.pointSizeF() * 1.3);
+  painter.setFont(font);
+  painter.setPen(QColor(225, 230, 235));
+  painter.drawText(box.adjusted(16, 14, -16, -56), Qt::AlignCenter | Qt::TextWordWrap, title);
+  font.setPointSizeF(font.pointSizeF() / 1.3);
+  painter.setFont(font);
+  painter.setPen(QColor(165, 172, 180));
+  painter.drawText(box.adjusted(16, 62, -16, -12), Qt::AlignCenter | Qt::TextWordWrap, text);
+}
+
+void paintBadge(QPainter& painter, const QString& text) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF bounds = painter.boundingRect(QRectF(20, 16, 600, 20), Qt::AlignLeft, text);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(20, 22, 26, 170));
+  painter.drawRoundedRect(bounds.adjusted(-8, -4, 8, 4), 5, 5);
+  painter.setPen(QColor(215, 220, 226));
+  painter.drawText(bounds, Qt::AlignLeft, text);
+}
+
+}  // namespace spin

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "editor/viewport/gizmo.h"
+
+class QPainter;
+class QRectF;
+
+namespace spin {
+
+/// Handles of the gizmo; the one under the pointer or in the hand is bright.
+void paintGizmo(QPainter& painter, const ViewFrame& view, const GizmoPose& pose, GizmoMode mode,
+                GizmoHandle active);
+/// A closed line through points in local metres, e.g. the brush draped on the terrain.
+void paintLoop(QPainter& painter, const ViewFrame& view, const std::vector<Vec3d>& loop);
+/// A calm message in the middle of the view.
+void paintHint(QPainter& painter, const QRectF& area, const QString& title, const QString& text);
+/// A small label in a corner: top left.
+void paintBadge(QPainter& painter, const QString& text);
+
+}  // namespace spin

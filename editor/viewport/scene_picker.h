@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/sim/snapshot.h"
+#include "editor/viewport/view_frame.h"
+
+namespace spin {
+
+/// What a ray from the eye meets first.
+struct PickHit {
+  std::string node;
+  Vec3d point{};  ///< local m
+};
+
+/// The nearest model triangle or terrain point under a ray; nothing where the ray meets neither.
+std::optional<PickHit> pickScene(const SceneSnapshot& scene, double filmTime, const ViewRay& ray);
+/// Where a ray meets the terrain; nothing without terrain or beside it.
+std::optional<Vec3d> pickTerrain(const SceneSnapshot& scene, const ViewRay& ray);
+/// Bounding box of one node in local metres; empty for nodes without a place (weather, settings).
+Box3d nodeBounds(const SceneSnapshot& scene, const std::string& id, double filmTime);
+/// Bounding box of all that stands in the scene.
+Box3d sceneBounds(const SceneSnapshot& scene, double filmTime);
+
+}  // namespace spin

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/viewport/viewport.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QVBoxLayout>
+
+#include "editor/viewport/gl_surface.h"
+#include "editor/viewport/overlay_painter.h"
+#include "editor/viewport/scene_picker.h"
+
+namespace spin {
+
+Viewport::Viewport(QWidget* parent) : QWidget(parent) {
+  setObjectName("viewport");
+  setAcceptDrops(false);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  if (openGlAvailable()) {
+    m_gl = new GlSurface(this);
+    m_surface = m_gl;
+    m_gl->setOverlay([this](QPainter& painter) { paintOverlay(painter); });
+    connect(m_gl, &GlSurface::drawn, this, &Viewport::drawn);
+    connect(m_gl, &GlSurface::failed, this, &Viewport::failed);
+  } else {
+    m_notice = new QLabel(this);
+    m_notice->setAlignment(Qt::AlignCenter);
+    m_notice->setWordWrap(true);
+    m_notice->setText(tr("No OpenGL 4.5 here, so the scene cannot be drawn. Everything else works."));
+    m_surface = m_notice;
+  }
+  m_surface->setMouseTracking(true);
+  m_surface->setFocusPolicy(Qt::StrongFocus);
+  m_surface->installEventFilter(this);
+  column->addWidget(m_surface);
+  m_flight.setInterval(16);
+  connect(&m_flight, &QTimer::timeout, this, &Viewport::flyStep);
+  m_clock.start();
+  refresh();
+}
+
+Viewport::~Viewport() = default;
+
+void Viewport::setScene(SnapshotPointer scene) {
+  m_scene = std::move(scene);
+  if (m_gl) m_gl->setScene(m_scene);
+  refresh();
+}
+
+void Viewport::setFrame(FramePointer frame) {
+  if (m_gl) m_gl->setFrame(std::move(frame));
+}
+
+void Viewport::setFilmTime(double seconds) {
+  m_filmTime = seconds;
+  refresh();
+}
+
+void Viewport::setSelected(const std::string& node) {
+  if (node == m_selected) return;
+  m_selected = node;
+  m_options.selectedNode = node;
+  m_gizmo.setNode(node);
+  refresh();
+}
+
+void Viewport::setTool(Tool tool) {
+  if (m_gizmo.dragging() || m_brush.painting()) endEdit();
+  m_tool = tool;
+  if (tool == Tool::Rotate)
+    m_gizmo.setMode(GizmoMode::Rotate);
+  else if (tool == Tool::Scale)
+    m_gizmo.setMode(GizmoMode::Scale);
+  else
+    m_gizmo.setMode(GizmoMode::Move);
+  m_brush.leave();
+  m_surface->setCursor(tool == Tool::Brush ? Qt::CrossCursor : Qt::ArrowCursor);
+  updateOverlay();
+}
+
+void Viewport::setGizmoAxes(GizmoAxes axes) {
+  m_gizmo.setAxes(axes);
+  updateOverlay();
+}
+
+void Viewport::setGroundDisplay(GroundDisplay display) {
+  m_options.ground = display;
+  refresh();
+}
+
+void Viewport::setShowSnow(bool on) {
+  m_options.showSnow = on;
+  refresh();
+}
+
+void Viewport::setShowFlakes(bool on) {
+  m_options.showFlakes = on;
+  refresh();
+}
+
+void Viewport::setLookThrough(bool on) {
+  if (on == m_lookThrough) return;
+  m_lookThrough = on;
+  refresh();
+  emit lookThroughChanged(on);
+}
+
+void Viewport::setBrushRadius(double metres) {
+  if (metres == m_brush.radius()) return;
+  m_brush.setRadius(metres);
+  updateOverlay();
+  emit brushRadiusChanged(metres);
+}
+
+void Viewport::setEmptyHint(const QString& title, const QString& text) {
+  m_hintTitle = title;
+  m_hintText = text;
+  updateOverlay();
+}
+
+RenderCamera Viewport::camera() const {
+  if (m_lookThrough && m_scene) return cameraOf(*m_scene, m_filmTime);
+  return m_navigator.camera().camera();
+}
+
+void Viewport::setCamera(const RenderCamera& camera) {
+  m_navigator.setCamera(OrbitCamera::from(camera));
+  refresh();
+}
+
+void Viewport::frameSelection() {
+  if (!m_scene) return;
+  const Box3d box = nodeBounds(*m_scene, m_selected, m_filmTime);
+  flyTo(box.empty() ? sceneBounds(*m_scene, m_filmTime) : box);
+}
+
+void Viewport::frameAll() {
+  if (m_scene) flyTo(sceneBounds(*m_scene, m_filmTime));
+}
+
+void Viewport::flyTo(const Box3d& box) {
+  if (box.empty()) return;
+  leaveLookThrough();
+  OrbitCamera goal = m_navigator.camera();
+  goal.frame(box);
+  m_navigator.flyTo(goal, now());
+  m_flight.start();
+}
+
+void Viewport::flyStep() {
+  if (!m_navigator.fly(now())) m_flight.stop();
+  cameraMoved();
+}
+
+double Viewport::now() const {
+  return static_cast<double>(m_clock.nsecsElapsed()) * 1e-9;
+}
+
+ViewportContext Viewport::context() const {
+  return {m_scene, m_filmTime,
+          ViewFrame(camera(), std::max(1, m_surface->width()), std::max(1, m_surface->height()))};
+}
+
+void Viewport::leaveLookThrough() {
+  if (!m_lookThrough) return;
+  m_navigator.setCamera(OrbitCamera::from(camera()));
+  setLookThrough(false);
+}
+
+void Viewport::cameraMoved() {
+  if (m_gl) m_gl->setMoving(true);
+  refresh();
+}
+
+void Viewport::refresh() {
+  if (m_gl) m_gl->setView(camera(), m_filmTime, m_options);
+}
+
+void Viewport::updateOverlay() {
+  if (m_gl) m_gl->updateOverlay();
+}
+
+void Viewport::paintOverlay(QPainter& painter) const {
+  const ViewportContext seen = context();
+  const bool empty = !m_scene || sceneBounds(*m_scene, m_filmTime).empty();
+  if (empty && !m_hintTitle.isEmpty()) paintHint(painter, QRectF(m_surface->rect()), m_hintTitle, m_hintText);
+  if (m_lookThrough) paintBadge(painter, tr("Camera view"));
+  if (m_tool == Tool::Brush) {
+    paintLoop(painter, seen.view, m_brush.rim(seen));
+  } else if (m_tool != Tool::Select) {
+    const auto pose = m_gizmo.pose(seen);
+    const GizmoHandle active = m_gizmo.dragging() ? m_gizmo.activeHandle() : m_hovered;
+    if (pose) paintGizmo(painter, seen.view, *pose, m_gizmo.mode(), active);
+  }
+}
+
+void Viewport::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange && m_notice)
+    m_notice->setText(tr("No OpenGL 4.5 here, so the scene cannot be drawn. Everything else works."));
+  QWidget::changeEvent(event);
+}
+
+}  // namespace spin

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+
+#include "editor/viewport/ground_brush.h"
+#include "editor/viewport/view_navigator.h"
+
+class QLabel;
+
+namespace spin {
+
+class GlSurface;
+
+/// The view into the scene: camera, selection by click, gizmo and brush. It shows a snapshot and tells what
+/// the user wants to change; it changes nothing itself. Without OpenGL a notice takes the picture's place and
+/// everything else still works.
+class Viewport : public QWidget {
+  Q_OBJECT
+ public:
+  enum class Tool { Select, Move, Rotate, Scale, Brush };
+
+  explicit Viewport(QWidget* parent = nullptr);
+  ~Viewport() override;
+
+  void setScene(SnapshotPointer scene);
+  void setFrame(FramePointer frame);
+  void setFilmTime(double seconds);
+  void setSelected(const std::string& node);
+  Tool tool() const { return m_tool; }
+  void setTool(Tool tool);
+  void setGizmoAxes(GizmoAxes axes);
+  void setGroundDisplay(GroundDisplay display);
+  void setShowSnow(bool on);
+  void setShowFlakes(bool on);
+  /// Shows what the scene's camera sees; moving the view ends it.
+  void setLookThrough(bool on);
+  bool lookThrough() const { return m_lookThrough; }
+  GroundBrush& brush() { return m_brush; }
+  void setBrushRadius(double metres);
+  /// Message shown while the scene is empty.
+  void setEmptyHint(const QString& title, const QString& text);
+
+  /// The camera of the view, by which the scene is drawn now.
+  RenderCamera camera() const;
+  void setCamera(const RenderCamera& camera);
+  /// Flies to the selected node, or to the whole scene if nothing is selected that has a place.
+  void frameSelection();
+  void frameAll();
+
+  ViewportContext context() const;
+  const ModelGizmo& gizmo() const { return m_gizmo; }
+  /// The widget that shows the picture and takes the pointer.
+  QWidget* surface() const { return m_surface; }
+  /// nullptr without OpenGL.
+  GlSurface* gl() const { return m_gl; }
+
+ signals:
+  /// A click; the id is empty beside everything.
+  void nodeClicked(const std::string& id);
+  /// The gizmo is dragged: placement of a model node, again and again until editFinished().
+  void placementEdited(const std::string& id, const spin::GizmoPlacement& placement);
+  /// The brush paints: the whole layer, again and again until editFinished().
+  void layerPainted(const spin::TiledRaster<std::uint8_t>& layer);
+  void editStarted();
+  void editFinished();
+  /// Escape: take back what editStarted() began.
+  void editCancelled();
+  void brushRadiusChanged(double metres);
+  void lookThroughChanged(bool on);
+  void drawn(double seconds);
+  void failed(const QString& message);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  bool press(const QMouseEvent& event);
+  bool move(const QMouseEvent& event);
+  bool release(const QMouseEvent& event);
+  bool wheel(const QWheelEvent& event);
+  bool cancelEdit();
+  bool beginEdit(Vec2d pixel);
+  void endEdit();
+  void hover(Vec2d pixel);
+  void leaveLookThrough();
+  void cameraMoved();
+  void refresh();
+  void updateOverlay();
+  void paintOverlay(QPainter& painter) const;
+  void flyStep();
+  void flyTo(const Box3d& box);
+  double now() const;
+
+  SnapshotPointer m_scene;
+  double m_filmTime = 0.0;
+  std::string m_selected;
+  Tool m_tool = Tool::Select;
+  ViewNavigator m_navigator;
+  ModelGizmo m_gizmo;
+  GroundBrush m_brush;
+  GizmoHandle m_hovered = GizmoHandle::None;
+  RenderOptions m_options;
+  bool m_lookThrough = false;
+  QPointF m_pressed;
+  bool m_clicking = false;
+  QString m_hintTitle, m_hintText;
+  QWidget* m_surface = nullptr;
+  GlSurface* m_gl = nullptr;
+  QLabel* m_notice = nullptr;
+  QTimer m_flight;
+  QElapsedTimer m_clock;
+};
+
+}  // namespace spin

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+// The pointer and keys of the viewport.
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "editor/viewport/gl_surface.h"
+#include "editor/viewport/scene_picker.h"
+#include "editor/viewport/viewport.h"
+
+namespace spin {
+namespace {
+
+constexpr double kWheelUnitsPerStep = 120.0;
+constexpr double kClickPixels = 4.0;
+
+Vec2d pixelOf(const QPointF& point) {
+  return {point.x(), point.y()};
+}
+
+}  // namespace
+
+bool Viewport::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != m_surface) return QWidget::eventFilter(watched, event);
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+      return press(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseMove:
+      return move(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseButtonRelease:
+      return release(*static_cast<QMouseEvent*>(event));
+    case QEvent::Wheel:
+      return wheel(*static_cast<QWheelEvent*>(event));
+    case QEvent::ShortcutOverride:
+    case QEvent::KeyPress:
+      if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape || !cancelEdit()) return false;
+      event->accept();
+      return true;
+    case QEvent::Leave:
+      m_brush.leave();
+      m_hovered = GizmoHandle::None;
+      updateOverlay();
+      return false;
+    default:
+      return false;
+  }
+}
+
+bool Viewport::press(const QMouseEvent& event) {
+  if (m_gizmo.dragging() || m_brush.painting()) return true;
+  if (m_navigator.press(event)) {
+    leaveLookThrough();
+    return true;
+  }
+  if (event.button() != Qt::LeftButton) return false;
+  m_pressed = event.position();
+  m_clicking = !beginEdit(pixelOf(event.position()));
+  return true;
+}
+
+bool Viewport::beginEdit(Vec2d pixel) {
+  const ViewportContext seen = context();
+  if (m_tool == Tool::Brush) {
+    if (!m_brush.begin(seen, pixel)) return false;
+    emit editStarted();
+    emit layerPainted(m_brush.layer());
+    return true;
+  }
+  if (m_tool == Tool::Select || !m_gizmo.begin(seen, pixel)) return false;
+  emit editStarted();
+  return true;
+}
+
+bool Viewport::move(const QMouseEvent& event) {
+  const Vec2d pixel = pixelOf(event.position());
+  if (m_navigator.move(event, m_surface->height())) {
+    cameraMoved();
+    return true;
+  }
+  if (m_gizmo.dragging()) {
+    const bool snap = event.modifiers().testFlag(Qt::ControlModifier);
+    if (m_gl) m_gl->setMoving(true);
+    emit placementEdited(m_gizmo.node(), m_gizmo.drag(context(), pixel, snap));
+    return true;
+  }
+  if (m_brush.painting()) {
+    if (m_gl) m_gl->setMoving(true);
+    if (m_brush.drag(context(), pixel)) emit layerPainted(m_brush.layer());
+    updateOverlay();
+    return true;
+  }
+  hover(pixel);
+  return false;
+}
+
+void Viewport::hover(Vec2d pixel) {
+  if (m_tool == Tool::Brush) {
+    m_brush.hover(context(), pixel);
+    updateOverlay();
+  } else if (m_tool != Tool::Select) {
+    const GizmoHandle handle = m_gizmo.handleAt(context(), pixel);
+    if (handle != m_hovered) updateOverlay();
+    m_hovered = handle;
+  }
+}
+
+bool Viewport::release(const QMouseEvent& event) {
+  if (m_navigator.release(event)) {
+    if (m_gl) m_gl->setMoving(false);
+    return true;
+  }
+  if (event.button() != Qt::LeftButton) return false;
+  if (m_gizmo.dragging() || m_brush.painting()) {
+    endEdit();
+    return true;
+  }
+  const QPointF travel = event.position() - m_pressed;
+  if (m_clicking && travel.manhattanLength() <= kClickPixels && m_tool != Tool::Brush && m_scene) {
+    const auto hit = pickScene(*m_scene, m_filmTime, context().view.ray(pixelOf(event.position())));
+    emit nodeClicked(hit ? hit->node : std::string());
+  }
+  m_clicking = false;
+  return true;
+}
+
+void Viewport::endEdit() {
+  m_gizmo.end();
+  m_brush.end();
+  if (m_gl) m_gl->setMoving(false);
+  updateOverlay();
+  emit editFinished();
+}
+
+bool Viewport::cancelEdit() {
+  if (!m_gizmo.dragging() && !m_brush.painting()) return false;
+  m_gizmo.end();
+  m_brush.end();
+  if (m_gl) m_gl->setMoving(false);
+  updateOverlay();
+  emit editCancelled();
+  return true;
+}
+
+bool Viewport::wheel(const QWheelEvent& event) {
+  const double steps = event.angleDelta().y() / kWheelUnitsPerStep;
+  if (steps == 0.0) return false;
+  if (m_tool == Tool::Brush && event.modifiers().testFlag(Qt::ControlModifier)) {
+    setBrushRadius(steppedBrushRadius(m_brush.radius(), steps > 0 ? 1 : -1));
+    return true;
+  }
+  leaveLookThrough();
+  Vec3d anchor = m_navigator.camera().pivot();
+  const ViewportContext seen = context();
+  const ViewRay ray = seen.view.ray(pixelOf(event.position()));
+  const auto hit = m_scene ? pickScene(*m_scene, m_filmTime, ray) : std::nullopt;
+  // Without a hit the point at the pivot's depth under the pointer keeps its place.
+  if (hit)
+    anchor = hit->point;
+  else if (const auto plane = intersectPlane(ray, anchor, seen.view.forward()))
+    anchor = *plane;
+  m_navigator.wheel(steps, anchor);
+  cameraMoved();
+  return true;
+}
+
+}  // namespace spin
