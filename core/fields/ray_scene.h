@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -37,6 +38,10 @@ class RayScene {
                                      const std::vector<std::uint32_t>& indices) = 0;
   virtual void commit() = 0;
   virtual bool occluded(const Ray& ray) const = 0;
+  /// occluded() of many rays; faster where neighbours in the list are alike. blocked[i] becomes 0 or 1.
+  virtual void occludedMany(const Ray* rays, std::size_t count, std::uint8_t* blocked) const {
+    for (std::size_t i = 0; i < count; ++i) blocked[i] = occluded(rays[i]) ? 1 : 0;
+  }
   virtual std::optional<RayHit> closest(const Ray& ray) const = 0;
   /// For messages and provenance: "embree" or "bvh".
   virtual const char* name() const = 0;
