@@ -34,6 +34,7 @@ class CpuBackend {
   explicit CpuBackend(int threads = 0);
 
   int threads() const { return m_threads; }
+  oneapi::tbb::task_arena& arena() { return *m_arena; }
   StageTimings& timings() { return m_timings; }
   const StageTimings& timings() const { return m_timings; }
 

@@ -54,6 +54,13 @@ struct FramePart {
   virtual const char* kind() const = 0;
   virtual std::size_t memoryBytes() const = 0;
   virtual void save(ByteWriter& out) const = 0;
+  /// Names the first value that is not finite ("swe of grid terrain, cell 7 is nan"); empty if all are.
+  virtual std::string firstNonFinite() const { return {}; }
+  /// Content key of the data that this part shares with other frames (a cover layout); null if it shares
+  /// none. save() leaves that data out and writes only its key: the frame store keeps it once.
+  virtual Hash128 sharedKey() const { return {}; }
+  /// Writes the shared data.
+  virtual void saveShared(ByteWriter&) const {}
 };
 
 struct ParticlePart final : FramePart {
@@ -63,6 +70,7 @@ struct ParticlePart final : FramePart {
   const char* kind() const override { return kKind; }
   std::size_t memoryBytes() const override;
   void save(ByteWriter& out) const override;
+  std::string firstNonFinite() const override;
   static std::shared_ptr<FramePart> load(ByteReader& in);
 };
 
@@ -96,6 +104,10 @@ struct CoverPart final : FramePart {
   const char* kind() const override { return kKind; }
   std::size_t memoryBytes() const override;  ///< without the shared layout
   void save(ByteWriter& out) const override;
+  std::string firstNonFinite() const override;  ///< cells without a surface do not count
+  Hash128 sharedKey() const override;           ///< of the layout
+  void saveShared(ByteWriter& out) const override;
+  /// Finds the layout by its key among those in use; null if it is not there.
   static std::shared_ptr<FramePart> load(ByteReader& in);
 };
 
@@ -113,8 +125,31 @@ struct Frame {
 };
 using FramePointer = std::shared_ptr<const Frame>;
 
+/// Returns null if the bytes are no such part.
 using FramePartLoader = std::shared_ptr<FramePart> (*)(ByteReader&);
+/// Reads shared data and makes it known to the part's loader; whoever holds the result keeps it alive. Null
+/// if the bytes are no such data.
+using SharedDataLoader = std::shared_ptr<const void> (*)(ByteReader&);
 /// Known kinds: particles, cover; a later process registers its own at start-up.
-void registerFramePart(const char* kind, FramePartLoader loader);
+void registerFramePart(const char* kind, FramePartLoader loader, SharedDataLoader sharedLoader = nullptr);
+
+/// Makes a layout findable by its content for as long as somebody holds it; returns the one that is in use
+/// already if there is an equal one.
+std::shared_ptr<const CoverLayout> internLayout(std::shared_ptr<const CoverLayout> layout);
+/// The shared data loader of covers.
+std::shared_ptr<const void> loadCoverLayout(ByteReader& in);
+
+/// Binary form of a frame without its shared data; `withTimings` false gives equal bytes for equal results.
+void saveFrame(const Frame& frame, ByteWriter& out, bool withTimings = true);
+/// Null if the bytes are damaged or shared data is missing.
+std::shared_ptr<Frame> loadFrame(ByteReader& in);
+/// Kind and key of the shared data of a frame's parts.
+struct SharedReference {
+  std::string kind;
+  Hash128 key;
+};
+std::vector<SharedReference> sharedReferences(const Frame& frame);
+/// Loads shared data of a kind; null if damaged or of an unknown kind.
+std::shared_ptr<const void> loadShared(const std::string& kind, ByteReader& in);
 
 }  // namespace spin

@@ -26,19 +26,27 @@ struct FrameStoreOptions {
 /// counts as missing.
 class FrameStore {
  public:
+  /// Makes the folder and takes in what lies there. A folder that cannot be used is a warning in the log, and
+  /// the first put() fails.
   explicit FrameStore(FrameStoreOptions options = {});
   ~FrameStore();
   FrameStore(const FrameStore&) = delete;
   FrameStore& operator=(const FrameStore&) = delete;
 
-  /// Declares the valid keys for frames 0 .. keys.size()-1; frames with other keys become stale.
+  const FrameStoreOptions& options() const;
+
+  /// Declares the valid keys for frames 0 .. keys.size()-1; frames with other keys become stale. Also takes
+  /// in files that another process has put into the folder meanwhile.
   void setKeys(std::vector<Hash128> keys);
   std::vector<Hash128> keys() const;
   FrameState state(int frame) const;
+  /// Whether a frame with this content is there, whatever keys are declared.
+  bool has(int frame, const Hash128& key) const;
   /// States of frames 0 .. count-1 in one call (for the timeline).
   std::vector<FrameState> states(int count) const;
 
   /// Keeps a frame under info.time.frame and info.key; in RAM at once, on disk before it returns.
+  /// RAM only: frames that the budget pushes out are missing again.
   Status put(FramePointer frame);
   /// The frame with the valid key (from RAM or disk); null if not ready.
   FramePointer get(int frame);
@@ -46,6 +54,7 @@ class FrameStore {
   /// empty.
   FramePointer nearest(int frame);
 
+  /// A RAM-only store keeps the latest few checkpoints.
   Status putCheckpoint(int frame, const Hash128& key, const std::vector<char>& state);
   /// The latest checkpoint at or before `frame` whose key is valid.
   struct Checkpoint {
@@ -60,11 +69,11 @@ class FrameStore {
     std::uint64_t staleDiskBytes = 0;
   };
   Usage usage() const;
-  /// Deletes stale frames and checkpoints from disk, on the user's word only.
+  /// Deletes stale frames and checkpoints from disk and RAM, on the user's word only. Needs declared keys.
   Status purgeStale();
 
  private:
-  struct State;
+  class State;
   std::unique_ptr<State> m_state;
 };
 

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <thread>
+#include <string>
+#include <vector>
 
 #include "core/base/cancel.h"
 #include "core/sim/frame_store.h"
@@ -19,6 +18,8 @@ struct RunOptions {
   int threads = 0;           ///< 0 = all
   std::string isa = "auto";  ///< auto | avx512 | avx2 | baseline; part of the backend's name and the keys
   RaySceneFactory makeRayScene = makeBvhRayScene;
+  bool lowPriority = false;  ///< leave the processor to the user's window (Runner always does)
+  std::vector<ProcessType> types = processTypes();  ///< the processes to choose from
 };
 
 struct RunProgress {
@@ -30,26 +31,29 @@ struct RunProgress {
 };
 
 struct RunCallbacks {
-  std::function<void(const RunProgress&)> progress;  ///< at least once per frame, at most every 50 ms
+  std::function<void(const RunProgress&)> progress;  ///< once per frame and within a frame every 50 ms
   std::function<void(const FramePointer&)> frameReady;
 };
 
 /// Need of a run, shown before it starts.
 struct RunEstimate {
-  double memoryBytes = 0.0;
-  double diskBytes = 0.0;
+  double memoryBytes = 0.0;  ///< state, its copy for checkpoints, and the frames kept in RAM
+  double diskBytes = 0.0;    ///< frames and checkpoints to be written; 0 for a RAM-only store
   int framesToCompute = 0;
 };
 RunEstimate estimateRun(const SceneSnapshot& scene, FrameStore& store, const RunOptions& options);
 
-/// Simulates in the calling thread into the store: sets the store's keys, finds the latest usable checkpoint
-/// or frame, continues from there. Ends early with ErrorKind::Cancelled within a second of cancel. On an
-/// error the frames finished so far stay. A NaN in a published frame is an error that names process and part.
+/// Simulates in the calling thread into the store: sets the store's keys, continues from the latest
+/// checkpoint before the first missing frame. Checkpoints are written every checkpoint_interval frames, every
+/// ten seconds of work, and for the last frame done, also when the run is cancelled or fails. Ends early with
+/// ErrorKind::Cancelled within a second of cancel. On an error the frames finished so far stay. A value that
+/// is not finite in a published frame is an error that names process and part.
 Status runSimulation(const SceneSnapshot& scene, FrameStore& store, const RunOptions& options,
                      const RunCallbacks& callbacks, const CancelToken& cancel);
 
 /// Runs runSimulation() on its own low-priority thread; a new start() cancels the old run and waits for it
-/// off the caller's thread. Callbacks come on the runner's thread.
+/// off the caller's thread. Callbacks come on the runner's thread; they may call start() and cancel(), not
+/// wait(). `finished` is called once for every start(), with Cancelled for a run that never began.
 class Runner {
  public:
   Runner();
@@ -65,13 +69,13 @@ class Runner {
   void wait();
 
  private:
-  struct State;
+  class State;
   std::unique_ptr<State> m_state;
 };
 
 /// Version of the solver's results; part of every key. Raise it when results change.
 inline constexpr const char* kSolverVersion = "1";
-/// "cpu-avx512" and so on for the instruction set in use.
+/// "cpu-avx512" and so on for the instruction set in use; what this processor cannot run counts as auto.
 std::string backendName(const std::string& isa);
 
 }  // namespace spin

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/sim/checked_file.h"
+#include "core/sim/frame.h"
+
+namespace spin {
+
+/// The frame store's files:
+///   frames/000012-KEY.frame, checkpoints/000012-KEY.checkpoint, shared/KEY.shared
+/// Thread-safe. Knows nothing of which keys are valid.
+class CacheFolder {
+ public:
+  /// A whole file of the folder, by the name and the header.
+  struct Entry {
+    int frame = 0;
+    Hash128 key;
+    std::uint64_t bytes = 0;
+    std::vector<Hash128> shared;
+  };
+  enum class Kind { Frame, Checkpoint };
+
+  /// Makes the folders; an empty path makes a folder that holds nothing.
+  explicit CacheFolder(std::string path);
+  bool active() const { return !m_path.empty(); }
+
+  /// Files that are new or rewritten since the last call, oldest first. Damaged ones are named in the log and
+  /// left out.
+  std::vector<Entry> newFiles(Kind kind);
+
+  /// Writes the frame and what it shares; gives the entry.
+  Result<Entry> writeFrame(const Frame& frame);
+  Result<FramePointer> readFrame(int frame, const Hash128& key);
+  Result<Entry> writeCheckpoint(int frame, const Hash128& key, const std::vector<char>& state);
+  Result<std::vector<char>> readCheckpoint(int frame, const Hash128& key);
+
+  Status remove(Kind kind, int frame, const Hash128& key);
+  /// Removes shared files whose key is not in the list.
+  Status removeSharedBut(const std::vector<Hash128>& used);
+  std::uint64_t sharedBytes() const;
+
+ private:
+  std::string pathOf(Kind kind, int frame, const Hash128& key) const;
+  std::string sharedPath(const Hash128& key) const;
+  Status writeShared(const FramePart& part, const Hash128& key);
+  /// Loads it, or finds it loaded. Held from then on.
+  Status ensureShared(const Hash128& key);
+  bool sharedIsWhole(const Hash128& key);
+  /// Whether the file was seen with this time of writing; remembers it.
+  bool seenBefore(const std::string& name, std::int64_t written);
+
+  std::string m_path;
+  mutable std::mutex m_mutex;
+  std::map<std::string, std::int64_t> m_seen;               ///< time of writing by file name
+  std::map<Hash128, std::shared_ptr<const void>> m_loaded;  ///< shared data kept alive
+  std::map<Hash128, bool> m_whole;                          ///< shared files that were verified
+};
+
+}  // namespace spin
