@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -29,12 +30,19 @@ class Scene {
 
   /// "tree", "tree_2", ...: a free id from a wish.
   std::string freeId(const std::string& wish) const;
-  /// Sets `node.property` from the command line's text; errors name the nearest known node or property.
+  /// Sets `node.property` from the command line's text and ends its animation; errors name the nearest known
+  /// node or property.
   Status setFromText(const std::string& path, const std::string& valueText);
 
  private:
   std::vector<SceneNode> m_nodes;
 };
+
+/// True for [a-z][a-z0-9_]*, 64 characters at most.
+bool isValidNodeId(std::string_view id);
+/// Errors that name the nearest known property or type.
+Error unknownProperty(const NodeType& type, std::string_view propertyId, const std::string& where);
+Error unknownNodeType(std::string_view typeId, const std::string& where);
 
 /// A new scene with weather, camera, picture and simulation settings.
 Scene makeDefaultScene();
