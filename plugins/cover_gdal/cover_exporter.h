@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "plugins/sdk/exporter.h"
+
+namespace spin {
+
+/// The terrain's snow cover as GeoTIFF on the elevation model's cells: band 1 depth in m, band 2 snow water
+/// equivalent in kg/m2. Where fine grids stand in for coarse cells, a cell holds their area-weighted mean, so
+/// that the raster's mass is the terrain's. Cells without ground hold NoData.
+class CoverExporter final : public CacheExporter {
+ public:
+  std::string id() const override { return "cover_tif"; }
+  std::string label() const override { return "Snow cover of the terrain, GeoTIFF"; }
+  bool applies(const Frame& frame) const override;
+  Status begin(const ExportContext& context) override;
+  Status writeFrame(const Frame& frame) override;
+  Status finish() override { return {}; }
+  std::vector<std::string> files() const override { return m_files; }
+  std::vector<ExportedAttribute> attributes() const override {
+    return {{"snow_depth", "m", 1}, {"snow_water_equivalent", "kg/m2", 1}};
+  }
+
+ private:
+  ExportContext m_context;
+  std::vector<std::string> m_files;
+};
+
+}  // namespace spin

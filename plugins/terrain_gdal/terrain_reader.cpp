@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "plugins/sdk/file_name.h"
+#include "plugins/sdk/import_limits.h"
+#include "plugins/sdk/memory_budget.h"
+#include "plugins/terrain_gdal/height_rows.h"
+#include "plugins/terrain_gdal/terrain_gdal_plugin.h"
+
+namespace spin {
+namespace {
+
+constexpr const char* kWhat = "The raster could not be read";
+
+Status checkOptions(const ImportOptions& options, const std::string& path) {
+  if (!std::isfinite(options.heightScale) || options.heightScale <= 0.0)
+    return Error{ErrorKind::Usage, kWhat, path, fmt::format("a height scale of {}", options.heightScale),
+                 "Give a positive number of metres per unit"};
+  return {};
+}
+
+/// A PNG for heights needs 16 bits: 256 steps make terraces.
+Status checkNumberType(const RasterSource& source, const std::string& path) {
+  if (lowerCaseExtension(path) == "png" && source.band->GetRasterDataType() != GDT_UInt16)
+    return badInput(kWhat, path, "it has 8 bits per cell", "Export the heights as a 16-bit grey PNG");
+  return {};
+}
+
+/// Heights here, the copy in the answer, and GDAL's own row and block memory.
+Status checkMemory(const RasterSource& source, const std::string& path) {
+  const std::size_t cells = static_cast<std::size_t>(source.width) * static_cast<std::size_t>(source.height);
+  int blockWidth = 0, blockHeight = 0;
+  source.band->GetBlockSize(&blockWidth, &blockHeight);
+  const std::size_t block =
+      static_cast<std::size_t>(blockWidth) * static_cast<std::size_t>(blockHeight) *
+      static_cast<std::size_t>(GDALGetDataTypeSizeBytes(source.band->GetRasterDataType()));
+  const std::size_t need = 2 * sizeof(float) * cells + 2 * block;
+  const std::size_t left = memoryLeft();
+  if (need <= left) return {};
+  return Error{
+      ErrorKind::OutOfResources, kWhat, path,
+      fmt::format("its {} x {} cells need {} MiB and {} MiB are left of the memory allowed for an import",
+                  source.width, source.height, need >> 20, left >> 20),
+      "Cut out or coarsen the part you need: gdalwarp -te ... -tr ..."};
+}
+
+std::string printable(std::string text) {
+  std::string clean;
+  for (const char c : text)
+    if (static_cast<unsigned char>(c) >= 32 && clean.size() < 300) clean += c;
+  return clean;
+}
+
+std::string creditOf(const RasterSource& source, const std::string& path) {
+  if (const char* tag = source.dataset->GetMetadataItem("TIFFTAG_COPYRIGHT"); tag && *tag)
+    return printable(tag);
+  std::ifstream beside(std::filesystem::path(path).parent_path() / "CREDITS.txt");
+  std::string line;
+  // A bounded read, whatever bears that name.
+  char buffer[512] = {};
+  if (beside.read(buffer, sizeof buffer - 1) || beside.gcount() > 0) line = buffer;
+  return printable(line.substr(0, line.find_first_of("\r\n")));
+}
+
+Result<Raster<float>> readHeights(HeightRows& rows, const RasterSource& source, const RasterPlacement& place,
+                                  double lowest, const GdalMessages& messages, const std::string& path) {
+  Raster<float> heights(source.width, source.height, 0.0, 0.0, place.cell);
+  std::vector<double> row;
+  for (int j = 0; j < source.height; ++j) {
+    if (Status status = rows.read(j, row, messages, path); !status) return status.error();
+    float* to = &heights.at(0, place.rowsFromSouth ? j : source.height - 1 - j);
+    for (std::size_t i = 0; i < row.size(); ++i) to[i] = static_cast<float>(row[i] - lowest);
+  }
+  return heights;
+}
+
+std::vector<SummaryLine> summaryLines(const RasterSource& source, const RasterPlacement& place,
+                                      const RasterCrs& crs, const HeightStatistics& found) {
+  const double cells = static_cast<double>(source.width) * source.height;
+  const GDALDriver* driver = source.dataset->GetDriver();
+  std::vector<SummaryLine> lines{
+      {"Format", const_cast<GDALDriver*>(driver)->GetDescription()},
+      {"Size", fmt::format("{} x {} cells", source.width, source.height)},
+      {"Cell size", fmt::format("{:.10g} m", place.cell)},
+      {"West, south", fmt::format("{:.3f}, {:.3f} m", place.west, place.south)},
+      {"East, north", fmt::format("{:.3f}, {:.3f} m", place.west + place.cell * source.width,
+                                  place.south + place.cell * source.height)},
+      {"Heights", fmt::format("{:.3f} to {:.3f} m", found.lowest, found.highest)},
+      {"No data", fmt::format("{:.3f} % of the cells", 100.0 * static_cast<double>(found.holes) / cells)}};
+  std::string system = crs.name.empty() ? "unknown" : crs.name;
+  if (crs.epsg > 0) system = fmt::format("EPSG:{} ({})", crs.epsg, system);
+  lines.push_back({"Coordinate system", system});
+  return lines;
+}
+
+std::vector<std::string> findings(const HeightRows& rows, const RasterSource& source,
+                                  const RasterPlacement& place, const RasterCrs& crs,
+                                  const HeightStatistics& found) {
+  std::vector<std::string> warnings;
+  if (!place.georeferenced)
+    warnings.push_back(
+        fmt::format("The file does not say how large its cells are: {:g} m assumed", place.cell));
+  if (crs.epsg == 0)
+    warnings.push_back(crs.wkt.empty()
+                           ? "The file names no coordinate system: metres assumed; give its EPSG number"
+                           : "The coordinate system has no EPSG number");
+  if (found.infinite > 0)
+    warnings.push_back(fmt::format("{} cells are infinite: taken as holes", found.infinite));
+  const GDALDataType type = source.band->GetRasterDataType();
+  if (!rows.knowsNoData() && type == GDT_UInt16 && found.lowest == 0.0 && found.atLowest > 1)
+    warnings.push_back(fmt::format("{} cells hold 0: if that marks missing data, name 0 as the NoData value",
+                                   found.atLowest));
+  if (!rows.knowsNoData() && type == GDT_UInt16 && found.atHighest > 1 && found.highest >= 65535.0)
+    warnings.push_back(fmt::format(
+        "{} cells hold 65535: if that marks missing data, name 65535 as the NoData value", found.atHighest));
+  if (found.lowest < -1000.0)
+    warnings.push_back(
+        fmt::format("{} cells lie at {:g} m: if that number marks missing data, name it as the NoData value",
+                    found.atLowest, found.lowest));
+  return warnings;
+}
+
+}  // namespace
+
+Result<TerrainImport> TerrainGdalPlugin::read(const std::string& path, const ImportOptions& options) {
+  prepareGdal();
+  const GdalMessages messages;
+  if (Status status = checkOptions(options, path); !status) return status.error();
+  const Result<RasterSource> source = openRaster(path, messages);
+  if (!source) return source.error();
+  if (Status status = checkNumberType(*source, path); !status) return status.error();
+  const Result<RasterCrs> crs = crsOf(*source, options, path);
+  if (!crs) return crs.error();
+  const Result<RasterPlacement> place = placementOf(*source, options, path);
+  if (!place) return place.error();
+  if (Status status = checkMemory(*source, path); !status) return status.error();
+  // What opening complained of without failing is a warning; from here on any failure counts.
+  const GdalMessages reading;
+  HeightRows rows(*source, options);
+  const Result<HeightStatistics> found = rows.scan(reading, path);
+  if (!found) return found.error();
+  Result<Raster<float>> heights = readHeights(rows, *source, *place, found->lowest, reading, path);
+  if (!heights) return heights.error();
+
+  auto terrain = std::make_shared<TerrainData>();
+  terrain->heights = std::move(*heights);
+  terrain->geo.origin = {place->west + 0.5 * place->cell, place->south + 0.5 * place->cell, found->lowest};
+  terrain->geo.epsg = crs->epsg;
+  terrain->geo.wkt = crs->wkt;
+  terrain->credit = creditOf(*source, path);
+  TerrainImport import{terrain, {summaryLines(*source, *place, *crs, *found), messages.warnings()}};
+  for (const std::vector<std::string>& more :
+       {reading.warnings(), findings(rows, *source, *place, *crs, *found)})
+    import.summary.warnings.insert(import.summary.warnings.end(), more.begin(), more.end());
+  if (!terrain->credit.empty()) import.summary.lines.push_back({"Credit", terrain->credit});
+  return import;
+}
+
+}  // namespace spin
