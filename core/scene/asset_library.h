@@ -75,10 +75,19 @@ class AssetLibrary {
   struct Issue {
     std::string node;
     Error error;
+    bool usable = false;  ///< a remark: the node has its data all the same
   };
   Result<SnapshotPointer> snapshot(const Scene& scene, const std::string& sceneFile,
                                    std::vector<Issue>& issues, const CancelToken& cancel = {});
   AssetReader& reader();
+  /// Folders the user allowed since; for later snapshots.
+  void setPolicy(PathPolicy policy);
+  PathPolicy policy() const;
+  /// Hashes by node id of the files as they were last known: of several files with a moved one's name the
+  /// one with its hash is taken.
+  void setExpectedHashes(std::map<std::string, Hash128> hashes);
+  /// Hashes by node id of the files that the last snapshot used.
+  std::map<std::string, Hash128> fileHashes() const;
   /// Forgets decoded files, e.g. after they changed on disk.
   void clear();
 
@@ -86,6 +95,13 @@ class AssetLibrary {
   struct State;
   std::unique_ptr<State> m_state;
 };
+
+/// How a terrain or model node wants its file read.
+ImportOptions importOptionsOf(const SceneNode& node);
+/// The path in the node's `source`; empty where the type has none.
+std::string sourceOf(const SceneNode& node);
+/// Checks a layer against its node: kind, ground type numbers, plausible temperatures (100 to 400 K or NaN).
+Status checkLayer(const SceneNode& node, const PaintedLayer& layer);
 
 /// Loads the painted layers that the nodes name into scene.nodes()[..].painted; problems become issues.
 Status loadPaintedLayers(Scene& scene, const std::string& sceneFile, AssetReader& reader,

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/scene/asset_library.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+
+#include "core/nodes/ground_nodes.h"
+#include "core/nodes/terrain_node.h"
+#include "core/scene/asset_file.h"
+
+namespace spin {
+namespace {
+
+/// Decoded files that no recent snapshot used are dropped above this number.
+constexpr std::size_t kMaxEntries = 256;
+
+struct Entry {
+  std::shared_ptr<const TerrainData> terrain;
+  std::shared_ptr<const ModelData> model;
+  Hash128 content;  ///< as decoded
+  Hash128 file;     ///< bytes on disk
+  std::uint64_t lastUsed = 0;
+};
+
+std::shared_ptr<const TerrainData> scaled(const std::shared_ptr<const TerrainData>& terrain, double factor) {
+  if (factor == 1.0) return terrain;
+  auto copy = std::make_shared<TerrainData>(*terrain);
+  for (float& height : copy->heights.values)
+    height = static_cast<float>(static_cast<double>(height) * factor);
+  return copy;
+}
+
+template <class T>
+bool hasSize(const PaintedLayer& layer, const Raster<float>& heights) {
+  const auto* tiles = std::get_if<TiledRaster<T>>(&layer);
+  return tiles && tiles->width() == heights.width && tiles->height() == heights.height;
+}
+
+/// A layer of another size than the terrain cannot be used: its cells mean other places.
+void checkLayerSizes(SceneSnapshot& snapshot, std::vector<AssetLibrary::Issue>& issues) {
+  for (SceneNode& node : snapshot.nodes) {
+    if (std::holds_alternative<std::monostate>(node.painted) || !snapshot.terrain) continue;
+    const Raster<float>& heights = snapshot.terrain->heights;
+    if (hasSize<std::uint8_t>(node.painted, heights) || hasSize<float>(node.painted, heights)) continue;
+    node.painted = std::monostate{};
+    issues.push_back({node.id,
+                      badInput("The painted layer does not fit", node.id,
+                               fmt::format("the terrain has {} x {} cells, the layer has others",
+                                           heights.width, heights.height),
+                               "Use the terrain it was painted on, or paint anew"),
+                      false});
+  }
+}
+
+}  // namespace
+
+struct AssetLibrary::State {
+  std::shared_ptr<AssetReader> reader;
+  mutable std::mutex mutex;  ///< guards all below
+  PathPolicy policy;
+  std::map<std::string, Hash128> expected;
+  std::map<std::string, Hash128> fileHashes;
+  std::map<std::string, Entry> entries;
+  std::map<std::pair<const TerrainData*, double>, std::shared_ptr<const TerrainData>> scaledTerrains;
+  std::uint64_t snapshots = 0;
+  std::mutex reading;  ///< one file at a time, so that none is read twice
+
+  std::optional<Entry> cached(const std::string& stamp) {
+    const std::lock_guard lock(mutex);
+    const auto found = entries.find(stamp);
+    if (found == entries.end()) return {};
+    found->second.lastUsed = snapshots;
+    return found->second;
+  }
+
+  Result<Entry> decode(const SceneNode& node, const std::string& path, const CancelToken& cancel) {
+    Entry entry;
+    if (node.as<TerrainNode>()) {
+      Result<TerrainImport> read = reader->readTerrain(path, importOptionsOf(node), cancel);
+      if (!read) return read.error();
+      entry.terrain = read->terrain;
+      entry.content = contentHash(*entry.terrain);
+    } else {
+      Result<ModelImport> read = reader->readModel(path, importOptionsOf(node), cancel);
+      if (!read) return read.error();
+      entry.model = read->model;
+      entry.content = contentHash(*entry.model);
+    }
+    entry.file = hashFile(path);
+    return entry;
+  }
+
+  Result<Entry> load(const SceneNode& node, const std::string& path, const CancelToken& cancel) {
+    const std::lock_guard one(reading);
+    const std::string stamp = std::string(node.type->id) + "|" + stampOf(path, importOptionsOf(node));
+    if (std::optional<Entry> known = cached(stamp)) return *known;
+    Result<Entry> entry = decode(node, path, cancel);
+    if (!entry) return entry;
+    const std::lock_guard lock(mutex);
+    entry->lastUsed = snapshots;
+    entries[stamp] = *entry;
+    return entry;
+  }
+
+  std::shared_ptr<const TerrainData> scaledTerrain(const std::shared_ptr<const TerrainData>& terrain,
+                                                   double factor) {
+    const std::lock_guard lock(mutex);
+    std::shared_ptr<const TerrainData>& known = scaledTerrains[{terrain.get(), factor}];
+    if (!known) known = scaled(terrain, factor);
+    return known;
+  }
+
+  void dropUnused() {
+    const std::lock_guard lock(mutex);
+    if (entries.size() > kMaxEntries)
+      std::erase_if(entries, [this](const auto& e) { return e.second.lastUsed != snapshots; });
+    std::erase_if(scaledTerrains, [this](const auto& s) {
+      const bool alive = std::any_of(entries.begin(), entries.end(), [&](const auto& e) {
+        return e.second.terrain.get() == s.first.first && e.second.lastUsed == snapshots;
+      });
+      return !alive;
+    });
+  }
+};
+
+AssetLibrary::AssetLibrary(std::shared_ptr<AssetReader> reader, PathPolicy policy)
+    : m_state(std::make_unique<State>()) {
+  SPIN_CHECK(reader, "asset library without a reader");
+  m_state->reader = std::move(reader);
+  m_state->policy = std::move(policy);
+}
+AssetLibrary::~AssetLibrary() = default;
+
+Result<SnapshotPointer> AssetLibrary::snapshot(const Scene& scene, const std::string& sceneFile,
+                                               std::vector<Issue>& issues, const CancelToken& cancel) {
+  auto snapshot = std::make_shared<SceneSnapshot>();
+  snapshot->nodes = scene.nodes();
+  std::map<std::string, Hash128> expected, fileHashes;
+  PathPolicy policy;
+  {
+    const std::lock_guard lock(m_state->mutex);
+    ++m_state->snapshots;
+    expected = m_state->expected;
+    policy = m_state->policy;
+  }
+  for (const SceneNode& node : snapshot->nodes) {
+    const bool hasAsset = node.as<TerrainNode>() || node.as<ModelNode>();
+    const std::string source = sourceOf(node);
+    if (!hasAsset || !node.enabled || source.empty()) continue;
+    const Error cancelled{ErrorKind::Cancelled, "Reading the scene's files was stopped", {}, {}, {}};
+    if (cancel.cancelled()) return cancelled;
+    Result<FoundAsset> found = findAsset(sceneFile, source, policy, expected[node.id]);
+    Result<Entry> entry = found ? m_state->load(node, found->path, cancel) : Result<Entry>(found.error());
+    if (cancel.cancelled()) return cancelled;
+    if (!entry) {
+      issues.push_back({node.id, entry.error(), false});
+      continue;
+    }
+    if (found->moved) issues.push_back(movedRemark(node.id, source, found->path));
+    const auto* terrain = node.as<TerrainNode>();
+    if (terrain && entry->terrain)
+      snapshot->terrain = m_state->scaledTerrain(entry->terrain, terrain->verticalScale);
+    if (entry->model) snapshot->models[node.id] = entry->model;
+    snapshot->assetHashes[node.id] = entry->content;
+    fileHashes[node.id] = entry->file;
+  }
+  checkLayerSizes(*snapshot, issues);
+  m_state->dropUnused();
+  const std::lock_guard lock(m_state->mutex);
+  m_state->fileHashes = std::move(fileHashes);
+  return SnapshotPointer(std::move(snapshot));
+}
+
+AssetReader& AssetLibrary::reader() {
+  return *m_state->reader;
+}
+
+void AssetLibrary::setPolicy(PathPolicy policy) {
+  const std::lock_guard lock(m_state->mutex);
+  m_state->policy = std::move(policy);
+}
+
+PathPolicy AssetLibrary::policy() const {
+  const std::lock_guard lock(m_state->mutex);
+  return m_state->policy;
+}
+
+void AssetLibrary::setExpectedHashes(std::map<std::string, Hash128> hashes) {
+  const std::lock_guard lock(m_state->mutex);
+  m_state->expected = std::move(hashes);
+}
+
+std::map<std::string, Hash128> AssetLibrary::fileHashes() const {
+  const std::lock_guard lock(m_state->mutex);
+  return m_state->fileHashes;
+}
+
+void AssetLibrary::clear() {
+  const std::lock_guard lock(m_state->mutex);
+  m_state->entries.clear();
+  m_state->scaledTerrains.clear();
+}
+
+ImportOptions importOptionsOf(const SceneNode& node) {
+  ImportOptions options;
+  if (const auto* terrain = node.as<TerrainNode>()) {
+    options.epsg = terrain->epsg;
+    options.cellSize = terrain->cellSize;
+    options.heightScale = terrain->heightUnit;
+    if (terrain->hasNoData) options.noDataValue = terrain->noData;
+  }
+  if (const auto* model = node.as<ModelNode>()) {
+    options.upAxis = static_cast<int>(model->upAxis);
+    options.unitScale = model->unitScale;
+  }
+  return options;
+}
+
+std::string sourceOf(const SceneNode& node) {
+  const PropertyInfo* source = node.type->find("source");
+  return source ? std::get<std::string>(plainValue(node, *source)) : std::string();
+}
+
+}  // namespace spin
