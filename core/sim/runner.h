@@ -51,6 +51,10 @@ RunEstimate estimateRun(const SceneSnapshot& scene, FrameStore& store, const Run
 Status runSimulation(const SceneSnapshot& scene, FrameStore& store, const RunOptions& options,
                      const RunCallbacks& callbacks, const CancelToken& cancel);
 
+/// Keys of frames 0 .. options.lastFrame as runSimulation() declares them: the backend and the ray caster
+/// count.
+std::vector<Hash128> frameKeys(const SceneSnapshot& scene, const RunOptions& options);
+
 /// Runs runSimulation() on its own low-priority thread; a new start() cancels the old run and waits for it
 /// off the caller's thread. Callbacks come on the runner's thread; they may call start() and cancel(), not
 /// wait(). `finished` is called once for every start(), with Cancelled for a run that never began.

@@ -106,7 +106,7 @@ void SimulationRun::discardState() {
 }
 
 Status SimulationRun::run() {
-  m_keys = frameKeys(m_scene, m_pipeline, m_backendName, m_options.lastFrame);
+  m_keys = frameKeys(m_scene, m_options);
   m_store.setKeys(m_keys);
   const std::vector<FrameState> states = m_store.states(m_options.lastFrame + 1);
   const auto missing = [](FrameState state) { return state != FrameState::Ready; };
@@ -231,7 +231,8 @@ Status SimulationRun::publishProcess(const Process& process, const FrameTime& ti
   for (const auto& [name, part] : frame.parts) {
     const auto old = before.find(name);
     if (old != before.end() && old->second == part) continue;
-    if (const std::string bad = part->firstNonFinite(); !bad.empty()) return failed(fmt::format("part {}", name), bad);
+    if (const std::string bad = part->firstNonFinite(); !bad.empty())
+      return failed(fmt::format("part {}", name), bad);
   }
   for (const BudgetTerm& term : frame.info.budget.terms)
     if (!std::isfinite(term.kilograms))
@@ -288,9 +289,15 @@ std::string backendName(const std::string& isa) {
   return fmt::format("cpu-{}", isaName(chosen ? *chosen : bestIsa()));
 }
 
+std::vector<Hash128> frameKeys(const SceneSnapshot& scene, const RunOptions& options) {
+  const std::string caster = options.makeRayScene ? options.makeRayScene()->name() : "none";
+  return frameKeys(scene, Pipeline::compile(scene, options.types),
+                   fmt::format("{}+{}", backendName(options.isa), caster), options.lastFrame);
+}
+
 RunEstimate estimateRun(const SceneSnapshot& scene, FrameStore& store, const RunOptions& options) {
   const Pipeline pipeline = Pipeline::compile(scene, options.types);
-  const std::vector<Hash128> keys = frameKeys(scene, pipeline, backendName(options.isa), options.lastFrame);
+  const std::vector<Hash128> keys = frameKeys(scene, options);
   RunEstimate estimate;
   for (std::size_t frame = 0; frame < keys.size(); ++frame)
     if (!store.has(static_cast<int>(frame), keys[frame])) ++estimate.framesToCompute;

@@ -78,6 +78,24 @@ TEST_F(Simulation, KeysCountSeedRateScaleAndBackendAndNotTheLength) {
   EXPECT_EQ(firstDifference(before, keysOf(scene, 10)), 0) << "another set of processes";
 }
 
+TEST_F(Simulation, KeysCountTheRayCasterAndNotTheThreads) {
+  struct Other final : RayScene {
+    std::uint32_t addTriangles(const std::vector<Vec3f>&, const std::vector<std::uint32_t>&) override {
+      return 0;
+    }
+    void commit() override {}
+    bool occluded(const Ray&) const override { return false; }
+    std::optional<RayHit> closest(const Ray&) const override { return std::nullopt; }
+    const char* name() const override { return "other"; }
+  };
+  RunOptions options = test::testOptions(3, 1);
+  const auto before = frameKeys(scene, options);
+  options.threads = 2;
+  EXPECT_EQ(frameKeys(scene, options), before);
+  options.makeRayScene = [] { return std::unique_ptr<RayScene>(std::make_unique<Other>()); };
+  EXPECT_EQ(firstDifference(before, frameKeys(scene, options)), 0);
+}
+
 TEST_F(Simulation, ThreadsDoNotChangeABit) {
   const auto one = test::referenceResults(scene, 12, 1);
   EXPECT_EQ(test::referenceResults(scene, 12, 2), one);
