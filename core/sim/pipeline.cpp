@@ -6,14 +6,8 @@
 
 #include "core/nodes/settings_nodes.h"
 #include "core/sim/runner.h"
-#include "core/snow/snow_processes.h"
 
 namespace spin {
-
-const std::vector<ProcessType>& processTypes() {
-  static const std::vector<ProcessType> kTypes{fallProcessType(), exposureProcessType(), coverProcessType()};
-  return kTypes;
-}
 
 Pipeline Pipeline::compile(const SceneSnapshot& scene, const std::vector<ProcessType>& types) {
   std::vector<const ProcessType*> needed;

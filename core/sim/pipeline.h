@@ -9,7 +9,8 @@
 
 namespace spin {
 
-/// All kinds of processes that are built in. A later step adds one line in pipeline.cpp.
+/// All kinds of processes that are built in. Defined in core/processes, which alone knows them:
+/// a later process adds one line there.
 const std::vector<ProcessType>& processTypes();
 
 /// The processes one scene needs, in order, with their exchange.

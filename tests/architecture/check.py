@@ -32,6 +32,7 @@ ARROWS = {
     "gpu": CORE_DATA + ["core/sph"],
     "plugins/sdk": SCENE,
     "plugins/host": SDK,
+    "plugins/gdal_common": SDK,
     "plugins/import_helper": SDK + ["plugins/host"],
     "editor/render": CORE_SIM,
     "editor/cli": SDK + ["plugins/host", "editor/render", "core/raycast", "core/bench", "gpu"],
@@ -44,7 +45,7 @@ ARROWS = {
     "editor/app": SDK + ["plugins/host", "core/raycast", "editor/cli", "editor/document", "editor/commands", "editor/models",
                          "editor/panels", "editor/timeline", "editor/viewport", "editor/render"],
 }
-PLUGIN_ARROWS = SDK  # every other folder under plugins/
+PLUGIN_ARROWS = SDK + ["plugins/gdal_common"]  # every other folder under plugins/
 MAX_FILE, MAX_FILE_95, MAX_FUNCTION, MAX_FUNCTION_95 = 600, 400, 80, 40
 SOURCE = (".h", ".cpp", ".cu", ".cuh")
 HEADED = SOURCE + (".cmake", ".py", ".sh", ".vert", ".frag", ".geom", ".comp", ".glsl")
