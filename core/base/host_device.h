@@ -9,6 +9,10 @@
 #define SPIN_HD
 #endif
 
+// Such a function that is always inlined: it leaves no symbol behind, so a file compiled for a wide
+// instruction set cannot lend its body to callers on a processor without it.
+#define SPIN_HD_INLINE SPIN_HD inline __attribute__((always_inline))
+
 // Tells the compiler that a loop's iterations are independent; ignored where it has no meaning.
 #if defined(__CUDACC__)
 #define SPIN_SIMD_LOOP

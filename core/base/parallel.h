@@ -29,8 +29,9 @@ class CpuBackend {
   using Array = std::vector<T>;
 
   static constexpr std::size_t kChunk = 1024;
+  static constexpr const char* kDevice = "cpu";
 
-  /// threads <= 0 takes all the machine has.
+  /// threads <= 0 takes all the machine has; more than it has are really started.
   explicit CpuBackend(int threads = 0);
 
   int threads() const { return m_threads; }
@@ -38,11 +39,25 @@ class CpuBackend {
   StageTimings& timings() { return m_timings; }
   const StageTimings& timings() const { return m_timings; }
 
+  /// From and to host memory; the target takes the size of the source.
+  template <class T>
+  void upload(const std::vector<T>& from, Array<T>& to) {
+    to = from;
+  }
+  template <class T>
+  void download(const Array<T>& from, std::vector<T>& to) {
+    to = from;
+  }
+  /// Memory that the backend keeps for its own use, bytes.
+  std::size_t scratchBytes() const { return m_scratch.capacity() * sizeof(std::uint32_t); }
+
   /// Calls kernel(i) for i in [0, n), in parallel, and books the time under name.
   template <class Kernel>
   void forEach(const char* name, std::size_t n, const Kernel& kernel, std::size_t chunk = kChunk) {
     forChunks(name, n, chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
-      for (std::size_t i = begin; i < end; ++i) kernel(i);
+      // A copy that no store can reach, so that its pointers stay in registers.
+      const Kernel own = kernel;
+      for (std::size_t i = begin; i < end; ++i) own(i);
     });
   }
 
@@ -94,6 +109,7 @@ class CpuBackend {
   int m_threads;
   std::unique_ptr<oneapi::tbb::task_arena> m_arena;
   StageTimings m_timings;
+  std::vector<std::uint32_t> m_scratch;  // second copy of the order while sorting
 };
 
 }  // namespace spin

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/math/scalar_ops.h"
+
+namespace spin {
+
+/// Linear state equation p = c^2 (rho - rho0), Pa, from excess = rho / rho0 - 1: the density is kept as its
+/// excess because c^2 (rho - rho0) would cancel most digits of a float.
+template <class T>
+SPIN_HD_INLINE T linearPressure(T excess, T restDensity, T soundSpeed) {
+  return restDensity * soundSpeed * soundSpeed * excess;
+}
+
+/// Negative pressure pulls particles together (tensile instability); free-surface flows clamp it.
+template <class T>
+SPIN_HD_INLINE T clampTension(T pressure) {
+  return maximum(pressure, T(0.0f));
+}
+
+}  // namespace spin
