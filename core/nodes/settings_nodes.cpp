@@ -23,6 +23,14 @@ constexpr PropertyRow kRenderRows[] = {
         .range(-10, 10, 0.25)
         .animated()
         .affecting(Affects::Picture),
+    property<&RenderNode::snowfallHaze>(
+        "snowfall_haze", SPIN_TR("Snowfall haze"),
+        SPIN_TR("How much of its real extinction falling snow shows in the distance: 1 is what the eye would "
+                "see, less keeps the view open."))
+        .in(Unit::Factor)
+        .range(0, 1, 0.05)
+        .animated()
+        .affecting(Affects::Picture),
     property<&RenderNode::showFlakes>("show_flakes", SPIN_TR("Show flakes"),
                                       SPIN_TR("Draw the falling flakes."))
         .affecting(Affects::Picture),

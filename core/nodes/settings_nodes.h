@@ -10,8 +10,9 @@ namespace spin {
 struct RenderNode : NodeData {
   int width = 1280;
   int height = 720;
-  int samples = 4;        ///< multisampling
-  double exposure = 0.0;  ///< stops
+  int samples = 4;             ///< multisampling
+  double exposure = 0.0;       ///< stops
+  double snowfallHaze = 0.12;  ///< share of the falling snow's real extinction that veils the distance
   bool showFlakes = true;
   bool showCaption = true;  ///< caption and credit line on pictures
   std::string caption;

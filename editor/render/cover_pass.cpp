@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/render/cover_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/nodes/terrain_node.h"
+
+namespace spin {
+namespace {
+
+template <class T>
+GLsizeiptr bytesOf(const std::vector<T>& values) {
+  return static_cast<GLsizeiptr>(values.size() * sizeof(T));
+}
+
+void formatAttributes(const GlVertexArray& array, GLint snowComponents) {
+  const GLint components[2] = {3, snowComponents};
+  for (GLuint a = 0; a < 2; ++a) {
+    glEnableVertexArrayAttrib(array.id(), a);
+    glVertexArrayAttribFormat(array.id(), a, components[a], GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(array.id(), a, a);
+  }
+}
+
+void bindBuffers(const GlVertexArray& array, const GlBuffer& positions, const GlBuffer& snow,
+                 GLsizei snowBytes, const GlBuffer& indices) {
+  glVertexArrayVertexBuffer(array.id(), 0, positions.id(), 0, sizeof(Vec3f));
+  glVertexArrayVertexBuffer(array.id(), 1, snow.id(), 0, snowBytes);
+  glVertexArrayElementBuffer(array.id(), indices.id());
+}
+
+void drawIndices(std::size_t first, std::size_t count) {
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+}
+
+}  // namespace
+
+Status CoverPass::initialise() {
+  auto fine = GlProgram::build("terrain.vert", "terrain.frag", "#define FINE 1");
+  if (!fine) return fine.error();
+  auto patch = GlProgram::build("patch.vert", "patch.frag");
+  if (!patch) return patch.error();
+  m_fineProgram = std::move(*fine);
+  m_patchProgram = std::move(*patch);
+  m_fineArray = GlVertexArray::make();
+  m_patchArray = GlVertexArray::make();
+  formatAttributes(m_fineArray, 3);
+  formatAttributes(m_patchArray, 4);
+  return {};
+}
+
+void CoverPass::setCover(std::shared_ptr<const CoverPart> cover, const SceneSnapshot* scene) {
+  if (!cover || !cover->layout || !scene || !scene->terrain ||
+      cover->values.size() != cover->layout->grids.size()) {
+    m_cover.reset();
+    m_snowShare = 0.0;
+    return;
+  }
+  const bool sameMeshes = cover->layout == m_layout && scene->terrain == m_terrain;
+  m_cover = std::move(cover);
+  m_layout = m_cover->layout;
+  m_terrain = scene->terrain;
+  if (!sameMeshes) makeMeshes(*scene);
+  updateCoarse(*scene);
+  updateFine();
+  updatePatches();
+}
+
+void CoverPass::makeMeshes(const SceneSnapshot& scene) {
+  m_coarse = -1;
+  m_depth.reset();
+  m_fine.clear();
+  m_patches.clear();
+  const SceneNode* terrain = scene.first<TerrainNode>();
+  for (std::size_t g = 0; g < m_layout->grids.size(); ++g) {
+    const CoverGrid& grid = m_layout->grids[g];
+    if (grid.base.width < 2 || grid.base.height < 2) continue;
+    if (!terrain || grid.node != terrain->id)
+      addPatch(g);
+    else if (m_coarse < 0 && grid.base.hasShapeOf(scene.terrain->heights))
+      m_coarse = static_cast<int>(g);
+    else
+      addFine(g);
+  }
+  for (Patches& patches : m_patches) uploadPatchMeshes(patches);
+}
+
+void CoverPass::addFine(std::size_t grid) {
+  Fine fine;
+  fine.grid = grid;
+  fine.geometry = makeFineCover(m_layout->grids[grid]);
+  if (fine.geometry.bounds.empty()) return;
+  std::vector<std::uint32_t> indices;
+  for (int s = 0; s < FineCover::kStrides; ++s) {
+    fine.first[s] = indices.size();
+    indices.insert(indices.end(), fine.geometry.indices[s].begin(), fine.geometry.indices[s].end());
+  }
+  fine.positions = GlBuffer::make();
+  fine.snow = GlBuffer::make();
+  fine.indices = GlBuffer::make();
+  glNamedBufferStorage(fine.positions.id(), bytesOf(fine.geometry.positions), fine.geometry.positions.data(),
+                       0);
+  if (!indices.empty()) glNamedBufferStorage(fine.indices.id(), bytesOf(indices), indices.data(), 0);
+  m_fine.push_back(std::move(fine));
+}
+
+void CoverPass::addPatch(std::size_t grid) {
+  const std::string& node = m_layout->grids[grid].node;
+  auto at =
+      std::find_if(m_patches.begin(), m_patches.end(), [&](const Patches& p) { return p.node == node; });
+  if (at == m_patches.end()) {
+    m_patches.emplace_back();
+    at = std::prev(m_patches.end());
+    at->node = node;
+  }
+  at->parts.emplace_back(grid, makePatchCover(m_layout->grids[grid]));
+}
+
+void CoverPass::uploadPatchMeshes(Patches& patches) const {
+  std::vector<Vec3f> positions;
+  std::vector<std::uint32_t> indices;
+  for (const auto& [grid, patch] : patches.parts) {
+    const auto first = static_cast<std::uint32_t>(positions.size());
+    positions.insert(positions.end(), patch.positions.begin(), patch.positions.end());
+    for (const std::uint32_t i : patch.indices) indices.push_back(first + i);
+  }
+  for (const Vec3f& p : positions) patches.reach = std::max(patches.reach, static_cast<double>(length(p)));
+  patches.vertices = positions.size();
+  patches.count = indices.size();
+  patches.positions = GlBuffer::make();
+  patches.snow = GlBuffer::make();
+  patches.indices = GlBuffer::make();
+  if (indices.empty()) return;
+  glNamedBufferStorage(patches.positions.id(), bytesOf(positions), positions.data(), 0);
+  glNamedBufferStorage(patches.indices.id(), bytesOf(indices), indices.data(), 0);
+}
+
+void CoverPass::updateCoarse(const SceneSnapshot& scene) {
+  m_coarseDepth = scene.terrain->heights.sameShape<float>(0.0f);
+  if (m_coarse >= 0) {
+    const auto& depth = m_cover->values[static_cast<std::size_t>(m_coarse)].depth;
+    if (depth.size() == m_coarseDepth.size()) m_coarseDepth.values = depth;
+  }
+  double white = 0.0;
+  std::size_t cells = 0;
+  for (std::size_t k = 0; k < m_coarseDepth.size(); ++k) {
+    float& d = m_coarseDepth.values[k];
+    if (std::isnan(d)) d = 0.0f;
+    if (std::isnan(scene.terrain->heights.values[k])) continue;
+    white += std::tanh(static_cast<double>(d) / 0.05);
+    ++cells;
+  }
+  m_snowShare = cells > 0 ? white / static_cast<double>(cells) : 0.0;
+  if (!m_depth) {
+    m_depth = GlTexture::make(GLenum{GL_TEXTURE_2D});
+    glTextureStorage2D(m_depth.id(), 1, GL_R32F, m_coarseDepth.width, m_coarseDepth.height);
+    setSampling(m_depth, GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
+  }
+  glTextureSubImage2D(m_depth.id(), 0, 0, 0, m_coarseDepth.width, m_coarseDepth.height, GL_RED, GL_FLOAT,
+                      m_coarseDepth.values.data());
+}
+
+void CoverPass::updateFine() {
+  for (Fine& fine : m_fine) {
+    const CoverGrid& grid = m_layout->grids[fine.grid];
+    std::vector<float> depth = m_cover->values[fine.grid].depth;
+    depth.resize(grid.base.size(), 0.0f);
+    const auto snow = fineCoverSnow(fine.geometry, grid, depth, m_coarseDepth);
+    glNamedBufferData(fine.snow.id(), bytesOf(snow), snow.data(), GL_DYNAMIC_DRAW);
+  }
+}
+
+void CoverPass::updatePatches() {
+  for (Patches& patches : m_patches) {
+    std::vector<Vec4f> snow;
+    snow.reserve(patches.vertices);
+    for (const auto& [grid, patch] : patches.parts) {
+      std::vector<float> depth = m_cover->values[grid].depth;
+      depth.resize(m_layout->grids[grid].base.size(), 0.0f);
+      const auto part = patchCoverSnow(patch, depth);
+      snow.insert(snow.end(), part.begin(), part.end());
+    }
+    glNamedBufferData(patches.snow.id(), bytesOf(snow), snow.data(), GL_DYNAMIC_DRAW);
+  }
+}
+
+std::vector<Vec4f> CoverPass::cuts() const {
+  std::vector<Vec4f> out;
+  if (!hasSnow()) return out;
+  for (const Fine& fine : m_fine) {
+    // A little inside the fine mesh: the two overlap by half a fine cell and leave no seam.
+    const float inset = 0.5f * static_cast<float>(m_layout->grids[fine.grid].base.cellSize);
+    const Vec4f r = fine.geometry.rectangle;
+    out.push_back({r.x + inset, r.y + inset, r.z - inset, r.w - inset});
+  }
+  return out;
+}
+
+void CoverPass::drawFine(const DrawContext& context) const {
+  if (!hasSnow()) return;
+  m_fineProgram.use();
+  glBindVertexArray(m_fineArray.id());
+  for (const Fine& fine : m_fine) {
+    if (!context.frustum.mayShow(fine.geometry.bounds)) continue;
+    const double distance = distanceTo(fine.geometry.bounds, context.camera.position);
+    const double pixels =
+        m_layout->grids[fine.grid].base.cellSize * context.pixelsPerUnit / std::max(distance, 1.0);
+    const std::size_t stride = pixels > 3.0 ? 0 : pixels > 1.5 ? 1 : 2;
+    bindBuffers(m_fineArray, fine.positions, fine.snow, sizeof(Vec3f), fine.indices);
+    drawIndices(fine.first[stride], fine.geometry.indices[stride].size());
+  }
+}
+
+void CoverPass::drawPatches(const DrawContext& context, const std::vector<PlacedModel>& placed) const {
+  if (!hasSnow() || m_patches.empty()) return;
+  m_patchProgram.use();
+  glBindVertexArray(m_patchArray.id());
+  for (const Patches& patches : m_patches) {
+    const auto at = std::find_if(placed.begin(), placed.end(),
+                                 [&](const PlacedModel& p) { return p.node->id == patches.node; });
+    if (at == placed.end() || patches.count == 0) continue;
+    const Vec3d offset = at->transform.translation;
+    const Vec3d reach{patches.reach, patches.reach, patches.reach};
+    if (!context.frustum.mayShow({offset - reach, offset + reach})) continue;
+    m_patchProgram.set("uOffset", static_cast<float>(offset.x), static_cast<float>(offset.y),
+                       static_cast<float>(offset.z), 0.0f);
+    bindBuffers(m_patchArray, patches.positions, patches.snow, sizeof(Vec4f), patches.indices);
+    drawIndices(0, patches.count);
+  }
+}
+
+}  // namespace spin

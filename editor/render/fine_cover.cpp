@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "core/fields/terrain_surface.h"
+#include "editor/render/cover_geometry.h"
+
+namespace spin {
+namespace {
+
+/// Width in m over which the fine depth fades into the coarse one.
+constexpr double kBlendWidth = 1.5;
+
+/// 0, s, 2 s, ... and the last one.
+std::vector<int> steps(int count, int stride) {
+  std::vector<int> out;
+  for (int k = 0; k < count - 1; k += stride) out.push_back(k);
+  out.push_back(count - 1);
+  return out;
+}
+
+std::vector<std::uint32_t> gridIndices(const CoverGrid& grid, int stride) {
+  const Raster<float>& base = grid.base;
+  const auto columns = steps(base.width, stride), rows = steps(base.height, stride);
+  std::vector<std::uint32_t> out;
+  for (std::size_t b = 0; b + 1 < rows.size(); ++b)
+    for (std::size_t a = 0; a + 1 < columns.size(); ++a) {
+      const std::size_t k[4] = {base.index(columns[a], rows[b]), base.index(columns[a + 1], rows[b]),
+                                base.index(columns[a], rows[b + 1]), base.index(columns[a + 1], rows[b + 1])};
+      const auto hole = [&](std::size_t c) { return std::isnan(base.values[c]); };
+      if (std::any_of(std::begin(k), std::end(k), hole)) continue;
+      for (const int v : {0, 1, 3, 0, 3, 2}) out.push_back(static_cast<std::uint32_t>(k[v]));
+    }
+  return out;
+}
+
+}  // namespace
+
+FineCover makeFineCover(const CoverGrid& grid) {
+  const Raster<float>& base = grid.base;
+  FineCover fine;
+  fine.positions.reserve(base.size());
+  fine.own.reserve(base.size());
+  const double longest = 0.25 * base.cellSize * std::min(base.width, base.height);
+  const double width = std::max(base.cellSize, std::min(kBlendWidth, longest));
+  for (int j = 0; j < base.height; ++j)
+    for (int i = 0; i < base.width; ++i) {
+      const float z = base.at(i, j);
+      const Vec3d p{base.x(i), base.y(j), std::isnan(z) ? 0.0 : static_cast<double>(z)};
+      if (!std::isnan(z)) fine.bounds.extend(p);
+      fine.positions.push_back(p.to<float>());
+      const int border = std::min({i, j, base.width - 1 - i, base.height - 1 - j});
+      const double t = std::min(1.0, border * base.cellSize / width);
+      fine.own.push_back(static_cast<float>(t * t * (3.0 - 2.0 * t)));
+    }
+  for (int s = 0; s < FineCover::kStrides; ++s) fine.indices[s] = gridIndices(grid, 1 << s);
+  fine.rectangle = {static_cast<float>(base.x(0)), static_cast<float>(base.y(0)),
+                    static_cast<float>(base.x(base.width - 1)), static_cast<float>(base.y(base.height - 1))};
+  return fine;
+}
+
+std::vector<Vec3f> fineCoverSnow(const FineCover& fine, const CoverGrid& grid,
+                                 const std::vector<float>& depth, const Raster<float>& coarseDepth) {
+  const Raster<float>& base = grid.base;
+  const TerrainSurface coarse(coarseDepth);
+  std::vector<Vec3f> snow(base.size());
+  for (int j = 0; j < base.height; ++j)
+    for (int i = 0; i < base.width; ++i) {
+      const std::size_t k = base.index(i, j);
+      const float around = static_cast<float>(coarse.heightAt(base.x(i), base.y(j)).value_or(0.0));
+      snow[k].x = around + fine.own[k] * (depth[k] - around);
+    }
+  const float cell = static_cast<float>(base.cellSize);
+  for (int j = 0; j < base.height; ++j)
+    for (int i = 0; i < base.width; ++i) {
+      const int iLow = std::max(i - 1, 0), iHigh = std::min(i + 1, base.width - 1);
+      const int jLow = std::max(j - 1, 0), jHigh = std::min(j + 1, base.height - 1);
+      Vec3f& s = snow[base.index(i, j)];
+      if (iHigh > iLow)
+        s.y = (snow[base.index(iHigh, j)].x - snow[base.index(iLow, j)].x) /
+              (cell * static_cast<float>(iHigh - iLow));
+      if (jHigh > jLow)
+        s.z = (snow[base.index(i, jHigh)].x - snow[base.index(i, jLow)].x) /
+              (cell * static_cast<float>(jHigh - jLow));
+    }
+  return snow;
+}
+
+}  // namespace spin

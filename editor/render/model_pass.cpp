@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/render/model_pass.h"
+
+#include "core/nodes/terrain_node.h"
+
+namespace spin {
+namespace {
+
+constexpr GLsizei kVertexBytes = 8 * sizeof(float);
+
+Matrix4 multiply(const Matrix4& a, const Matrix4& b) {
+  Matrix4 m{};
+  for (std::size_t c = 0; c < 4; ++c)
+    for (std::size_t r = 0; r < 4; ++r)
+      for (std::size_t k = 0; k < 4; ++k) m[c * 4 + r] += a[k * 4 + r] * b[c * 4 + k];
+  return m;
+}
+
+Matrix4 normalMatrix(const Transform& t) {
+  Matrix4 m{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Vec3d column = t.normal({c == 0 ? 1.0 : 0.0, c == 1 ? 1.0 : 0.0, c == 2 ? 1.0 : 0.0});
+    for (int r = 0; r < 3; ++r) m[c * 4 + static_cast<std::size_t>(r)] = static_cast<float>(column[r]);
+  }
+  m[15] = 1.0f;
+  return m;
+}
+
+const Material& materialOf(const ModelData& data, int index) {
+  static const Material kPlain;
+  return index >= 0 && static_cast<std::size_t>(index) < data.materials.size()
+             ? data.materials[static_cast<std::size_t>(index)]
+             : kPlain;
+}
+
+/// Binds the material's texture; 0 if it has none.
+GLuint bindTexture(const GpuModel& model, const Material& material) {
+  const auto index = static_cast<std::size_t>(material.texture);
+  const GLuint id = material.texture >= 0 && index < model.textures.size() ? model.textures[index].id() : 0;
+  glBindTextureUnit(7, id);
+  return id;
+}
+
+}  // namespace
+
+Box3d transformed(const Transform& transform, const Box3d& box) {
+  Box3d out;
+  if (box.empty()) return out;
+  for (int k = 0; k < 8; ++k)
+    out.extend(transform.point(
+        {(k & 1) ? box.max.x : box.min.x, (k & 2) ? box.max.y : box.min.y, (k & 4) ? box.max.z : box.min.z}));
+  return out;
+}
+
+Status ModelPass::initialise() {
+  auto program = GlProgram::build("model.vert", "model.frag");
+  if (!program) return program.error();
+  auto depth = GlProgram::build("depth.vert", "depth.frag");
+  if (!depth) return depth.error();
+  m_program = std::move(*program);
+  m_depthProgram = std::move(*depth);
+  m_vertexArray = GlVertexArray::make();
+  const GLuint id = m_vertexArray.id();
+  const GLint components[3] = {3, 3, 2};
+  GLuint offset = 0;
+  for (GLuint a = 0; a < 3; ++a) {
+    glEnableVertexArrayAttrib(id, a);
+    glVertexArrayAttribFormat(id, a, components[a], GL_FLOAT, GL_FALSE, offset);
+    glVertexArrayAttribBinding(id, a, 0);
+    offset += static_cast<GLuint>(components[a]) * sizeof(float);
+  }
+  return {};
+}
+
+void ModelPass::setScene(const SceneSnapshot& scene) {
+  std::map<const ModelData*, GpuModel> kept;
+  for (const auto& [id, data] : scene.models) {
+    if (!data || kept.count(data.get()) > 0) continue;
+    const auto known = m_models.find(data.get());
+    kept.emplace(data.get(), known != m_models.end() ? std::move(known->second) : GpuModel::upload(data));
+  }
+  m_models = std::move(kept);
+}
+
+std::vector<PlacedModel> ModelPass::place(const SceneSnapshot& scene, double filmTime) const {
+  std::vector<PlacedModel> placed;
+  for (const SceneNode* node : scene.all<ModelNode>()) {
+    const auto data = scene.models.find(node->id);
+    if (data == scene.models.end() || !data->second) continue;
+    const GpuModel& model = m_models.at(data->second.get());
+    const Transform transform = scene.modelTransform(*node, filmTime);
+    placed.push_back({&model, node, transform, transformed(transform, model.bounds)});
+  }
+  return placed;
+}
+
+/// Calls begin(transform, material, hasTexture) before each part is drawn.
+template <class Begin>
+void ModelPass::forParts(const PlacedModel& placed, const Begin& begin) const {
+  const GpuModel& model = *placed.model;
+  glVertexArrayVertexBuffer(m_vertexArray.id(), 0, model.vertices.id(), 0, kVertexBytes);
+  glVertexArrayElementBuffer(m_vertexArray.id(), model.indices.id());
+  for (const MeshInstance& instance : model.data->instances) {
+    const GpuModel::Part& part = model.parts[static_cast<std::size_t>(instance.mesh)];
+    if (part.count == 0) continue;
+    const Material& material = materialOf(*model.data, part.material);
+    begin(placed.transform * instance.transform, material, bindTexture(model, material) != 0);
+    glDrawElements(GL_TRIANGLES, part.count, GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(part.firstIndex * sizeof(std::uint32_t)));
+  }
+}
+
+void ModelPass::draw(const DrawContext& context, const std::vector<PlacedModel>& placed) const {
+  m_program.use();
+  glBindVertexArray(m_vertexArray.id());
+  for (const PlacedModel& one : placed) {
+    if (!context.frustum.mayShow(one.bounds)) continue;
+    const bool selected =
+        !context.options.selectedNode.empty() && one.node->id == context.options.selectedNode;
+    m_program.set("uHighlight", 1.0f, 0.45f, 0.05f, selected ? 0.6f : 0.0f);
+    forParts(one, [&](const Transform& t, const Material& m, bool textured) {
+      m_program.setMatrix("uModel", t.toColumnMajor());
+      m_program.setMatrix("uNormalMatrix", normalMatrix(t));
+      m_program.set("uBaseColour", m.baseColour.x, m.baseColour.y, m.baseColour.z, m.baseColour.w);
+      m_program.set("uSurface", textured ? 1.0f : 0.0f, m.alphaCutout ? 1.0f : 0.0f,
+                    m.doubleSided ? 1.0f : 0.0f, m.roughness);
+    });
+  }
+}
+
+void ModelPass::drawDepth(const Matrix4& light, const std::vector<PlacedModel>& placed) const {
+  m_depthProgram.use();
+  glBindVertexArray(m_vertexArray.id());
+  for (const PlacedModel& one : placed)
+    forParts(one, [&](const Transform& t, const Material& m, bool textured) {
+      m_depthProgram.setMatrix("uLightModel", multiply(light, t.toColumnMajor()));
+      m_depthProgram.set("uCutout", textured && m.alphaCutout ? 1.0f : 0.0f);
+    });
+}
+
+}  // namespace spin

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "editor/render/cover_geometry.h"
+
+namespace spin {
+namespace {
+
+/// Neighbouring cells further apart in height than this many cell sizes belong to different surfaces.
+constexpr float kLargestStep = 2.5f;
+
+/// Builds the mesh on the grid enlarged by one cell on each side, where the rim lies.
+class PatchBuilder {
+ public:
+  explicit PatchBuilder(const CoverGrid& grid)
+      : m_base(grid.base), m_area(grid.area), m_width(grid.base.width + 2), m_height(grid.base.height + 2) {
+    // Cells that the surface hardly enters belong to the rim; a part narrower than its cells keeps its
+    // fullest.
+    double fullest = 0.0;
+    for (int j = 0; j < m_base.height; ++j)
+      for (int i = 0; i < m_base.width; ++i) fullest = std::max(fullest, share(i, j));
+    m_leastShare = std::max(0.5 * fullest, 1e-3);
+  }
+
+  PatchCover build() {
+    m_patch.cellSize = static_cast<float>(m_base.cellSize);
+    m_patch.vertexOfCell.assign(m_base.size(), -1);
+    m_vertex.assign(static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height), -1);
+    for (int j = -1; j <= m_base.height; ++j)
+      for (int i = -1; i <= m_base.width; ++i) addVertex(i, j);
+    for (int j = -1; j < m_base.height; ++j)
+      for (int i = -1; i < m_base.width; ++i) addQuad(i, j);
+    return std::move(m_patch);
+  }
+
+ private:
+  static constexpr std::array<std::array<int, 2>, 8> kAround{
+      {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
+
+  /// Share of a cell that the surface covers in plan, 0..1.
+  double share(int i, int j) const {
+    if (!m_area.contains(i, j) || !m_base.contains(i, j) || std::isnan(m_base.at(i, j))) return 0.0;
+    return std::min(1.0, static_cast<double>(m_area.at(i, j)) / (m_base.cellSize * m_base.cellSize));
+  }
+  bool valid(int i, int j) const { return share(i, j) >= m_leastShare; }
+  int& vertexAt(int i, int j) { return m_vertex[static_cast<std::size_t>((j + 1) * m_width + i + 1)]; }
+  bool connected(int i, int j, int a, int b) const {
+    return valid(i, j) && valid(a, b) &&
+           std::abs(m_base.at(i, j) - m_base.at(a, b)) <= kLargestStep * static_cast<float>(m_base.cellSize);
+  }
+
+  void addVertex(int i, int j) {
+    if (valid(i, j)) {
+      const Vec3d p{m_base.x(i), m_base.y(j), static_cast<double>(m_base.at(i, j))};
+      m_patch.vertexOfCell[m_base.index(i, j)] =
+          push(i, j, p, static_cast<int>(m_base.index(i, j)), insetOf(i, j));
+      return;
+    }
+    Vec3d sum{};
+    int count = 0;
+    for (const auto& d : kAround) {
+      const int a = i + d[0], b = j + d[1];
+      if (!valid(a, b)) continue;
+      const double z = m_base.at(a, b);
+      const bool further = connected(a, b, a + d[0], b + d[1]);
+      const double rise = further ? z - static_cast<double>(m_base.at(a + d[0], b + d[1])) : 0.0;
+      // The edge lies as many cells beyond the last centre as the two cells are covered, less the half cell.
+      const double out = std::clamp(share(a, b) + share(i, j) - 0.5, 0.05, 0.95);
+      sum += Vec3d{m_base.x(a) + out * (m_base.x(i) - m_base.x(a)),
+                   m_base.y(b) + out * (m_base.y(j) - m_base.y(b)), z + out * rise};
+      ++count;
+    }
+    if (count > 0) push(i, j, sum / static_cast<double>(count), -1, 0.0f);
+  }
+
+  int push(int i, int j, Vec3d p, int cell, float inset) {
+    const int index = static_cast<int>(m_patch.positions.size());
+    vertexAt(i, j) = index;
+    m_patch.positions.push_back(p.to<float>());
+    m_patch.cell.push_back(cell);
+    m_patch.inset.push_back(inset);
+    return index;
+  }
+
+  /// Distance to the nearest cell that is missing or lies much higher or lower, less half a cell.
+  float insetOf(int i, int j) const {
+    const float cell = static_cast<float>(m_base.cellSize);
+    float nearest = std::numeric_limits<float>::max();
+    for (int b = -3; b <= 3; ++b)
+      for (int a = -3; a <= 3; ++a) {
+        const int reach = std::max({std::abs(a), std::abs(b), 1});
+        const bool same = valid(i + a, j + b) && std::abs(m_base.at(i, j) - m_base.at(i + a, j + b)) <=
+                                                     kLargestStep * cell * static_cast<float>(reach);
+        if (!same)
+          nearest =
+              std::min(nearest, (std::hypot(static_cast<float>(a), static_cast<float>(b)) - 0.5f) * cell);
+      }
+    return nearest;
+  }
+
+  void addQuad(int i, int j) {
+    const int v[4] = {vertexAt(i, j), vertexAt(i + 1, j), vertexAt(i, j + 1), vertexAt(i + 1, j + 1)};
+    if (std::any_of(std::begin(v), std::end(v), [](int k) { return k < 0; })) return;
+    float low = std::numeric_limits<float>::max(), high = -low;
+    bool anyCell = false;
+    for (const int k : v) {
+      const auto at = static_cast<std::size_t>(k);
+      anyCell = anyCell || m_patch.cell[at] >= 0;
+      low = std::min(low, m_patch.positions[at].z);
+      high = std::max(high, m_patch.positions[at].z);
+    }
+    if (!anyCell || high - low > 2.0f * kLargestStep * static_cast<float>(m_base.cellSize)) return;
+    for (const int k : {0, 1, 3, 0, 3, 2}) m_patch.indices.push_back(static_cast<std::uint32_t>(v[k]));
+  }
+
+  const Raster<float>& m_base;
+  const Raster<float>& m_area;
+  int m_width, m_height;
+  double m_leastShare = 0.0;
+  std::vector<int> m_vertex;
+  PatchCover m_patch;
+};
+
+/// Quarter circle: 0 at the rim, full `depth` from `radius` inwards.
+float rounded(float depth, float inset, float radius) {
+  const float x = std::clamp(inset / radius, 0.0f, 1.0f);
+  return depth * std::sqrt(1.0f - (1.0f - x) * (1.0f - x));
+}
+
+}  // namespace
+
+PatchCover makePatchCover(const CoverGrid& grid) {
+  return PatchBuilder(grid).build();
+}
+
+std::vector<Vec4f> patchCoverSnow(const PatchCover& patch, const std::vector<float>& depth) {
+  const std::size_t n = patch.positions.size();
+  std::vector<Vec4f> snow(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    if (patch.cell[v] < 0) continue;
+    const float d = depth[static_cast<std::size_t>(patch.cell[v])];
+    snow[v].x = rounded(d, patch.inset[v], std::max(patch.cellSize, 0.8f * d));
+  }
+  std::vector<Vec3f> normal(n);
+  const auto raised = [&](std::uint32_t v) { return patch.positions[v] + Vec3f{0.0f, 0.0f, snow[v].x}; };
+  for (std::size_t t = 0; t + 2 < patch.indices.size(); t += 3) {
+    const std::uint32_t a = patch.indices[t], b = patch.indices[t + 1], c = patch.indices[t + 2];
+    const Vec3f face = cross(raised(b) - raised(a), raised(c) - raised(a));
+    for (const std::uint32_t v : {a, b, c}) normal[v] += face;
+  }
+  for (std::size_t v = 0; v < n; ++v) {
+    const Vec3f unit = length(normal[v]) > 0.0f ? normalized(normal[v]) : Vec3f{0.0f, 0.0f, 1.0f};
+    snow[v] = {snow[v].x, unit.x, unit.y, unit.z};
+  }
+  return snow;
+}
+
+}  // namespace spin

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "core/fields/raster.h"
+
+namespace spin {
+
+/// Per cell: x and y of the unit normal, share of the sky seen (0..1), 1 where the cell has data (else 0).
+/// The normal is that of central differences, one-sided at holes. The sky share is the mean of cos^2 of the
+/// horizon angle over 8 directions, up to 64 cells away.
+std::vector<Vec4f> terrainNormalsAndSky(const Raster<float>& heights);
+
+/// Per cell: height in m below which the terrain's own shadow lies over the cell, for a sun in direction
+/// `toSun` (unit, z > 0). Very low where nothing shades. One sweep from the sun's side over the raster.
+std::vector<float> terrainShadowHeights(const Raster<float>& heights, Vec3d toSun);
+
+}  // namespace spin

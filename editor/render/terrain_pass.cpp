@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/render/terrain_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/render/terrain_light.h"
+
+namespace spin {
+namespace {
+
+/// Largest size on screen of a quad's side, px. Shading comes from full-resolution maps, so only outlines
+/// depend on it.
+constexpr double kQuadPixels = 12.0;
+constexpr std::size_t kMostCuts = 16;
+
+bool overlaps(const Box3d& box, const Vec4f& r) {
+  return box.min.x < static_cast<double>(r.z) && box.max.x > static_cast<double>(r.x) &&
+         box.min.y < static_cast<double>(r.w) && box.max.y > static_cast<double>(r.y);
+}
+
+}  // namespace
+
+int terrainLevel(double distance, double cellSize, double pixelsPerUnit, double pixels) {
+  const double stride = pixels * distance / (cellSize * pixelsPerUnit);
+  return stride <= 1.0 ? 0 : std::min(kTerrainLevels - 1, static_cast<int>(std::log2(stride)));
+}
+
+Status TerrainPass::initialise() {
+  auto program = GlProgram::build("terrain.vert", "terrain.frag");
+  if (!program) return program.error();
+  auto cutProgram = GlProgram::build("terrain.vert", "terrain.frag", "#define CUT 1");
+  if (!cutProgram) return cutProgram.error();
+  m_program = std::move(*program);
+  m_cutProgram = std::move(*cutProgram);
+  m_vertexArray = GlVertexArray::make();
+  glEnableVertexArrayAttrib(m_vertexArray.id(), 0);
+  glVertexArrayAttribFormat(m_vertexArray.id(), 0, 3, GL_FLOAT, GL_FALSE, 0);
+  glVertexArrayAttribBinding(m_vertexArray.id(), 0, 0);
+  return {};
+}
+
+void TerrainPass::setTerrain(std::shared_ptr<const TerrainData> terrain) {
+  if (terrain == m_terrain) return;
+  m_terrain = std::move(terrain);
+  m_tiles.clear();
+  m_light.reset();
+  m_shadow.reset();
+  m_toSun = {};
+  if (!m_terrain || m_terrain->heights.width < 2 || m_terrain->heights.height < 2) {
+    m_terrain.reset();
+    return;
+  }
+  makeTiles();
+  const Raster<float>& h = m_terrain->heights;
+  const std::vector<Vec4f> light = terrainNormalsAndSky(h);
+  m_light = GlTexture::make(GLenum{GL_TEXTURE_2D});
+  const int levels = 1 + static_cast<int>(std::log2(std::max(h.width, h.height)));
+  glTextureStorage2D(m_light.id(), std::min(levels, 4), GL_RGBA16F, h.width, h.height);
+  glTextureSubImage2D(m_light.id(), 0, 0, 0, h.width, h.height, GL_RGBA, GL_FLOAT, light.data());
+  glGenerateTextureMipmap(m_light.id());
+  setSampling(m_light, GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, GL_CLAMP_TO_EDGE);
+  m_shadow = GlTexture::make(GLenum{GL_TEXTURE_2D});
+  glTextureStorage2D(m_shadow.id(), 1, GL_R32F, h.width, h.height);
+  setSampling(m_shadow, GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
+}
+
+void TerrainPass::makeTiles() {
+  const Raster<float>& h = m_terrain->heights;
+  const TileCount count = terrainTiles(h);
+  for (int y = 0; y < count.y; ++y)
+    for (int x = 0; x < count.x; ++x) {
+      Tile tile;
+      tile.x = x;
+      tile.y = y;
+      for (int j = y * kTileQuads; j <= std::min((y + 1) * kTileQuads, h.height - 1); ++j)
+        for (int i = x * kTileQuads; i <= std::min((x + 1) * kTileQuads, h.width - 1); ++i)
+          if (const float z = h.at(i, j); !std::isnan(z))
+            tile.bounds.extend(Vec3d{h.x(i), h.y(j), static_cast<double>(z)});
+      if (!tile.bounds.empty()) m_tiles.push_back(std::move(tile));
+    }
+}
+
+void TerrainPass::update(const SceneSnapshot& scene, double filmTime, GroundDisplay display, Vec3d toSun) {
+  m_ground.update(scene, filmTime, display);
+  if (!m_terrain || toSun == m_toSun) return;
+  m_toSun = toSun;
+  const Raster<float>& h = m_terrain->heights;
+  const std::vector<float> shadow = terrainShadowHeights(h, toSun);
+  glTextureSubImage2D(m_shadow.id(), 0, 0, 0, h.width, h.height, GL_RED, GL_FLOAT, shadow.data());
+}
+
+void TerrainPass::bindTextures() const {
+  glBindTextureUnit(3, m_light.id());
+  glBindTextureUnit(4, m_shadow.id());
+  glBindTextureUnit(5, m_ground.texture());
+}
+
+void TerrainPass::fill(FrameBlock& block) const {
+  if (!m_terrain) return;
+  const Raster<float>& h = m_terrain->heights;
+  block.terrainGrid = {static_cast<float>(h.originX), static_cast<float>(h.originY),
+                       static_cast<float>(1.0 / h.cellSize), 1.0f};
+  block.terrainSize.x = static_cast<float>(h.width);
+  block.terrainSize.y = static_cast<float>(h.height);
+}
+
+const TerrainPass::LevelMesh& TerrainPass::meshOf(Tile& tile, int level) const {
+  LevelMesh& mesh = tile.levels[static_cast<std::size_t>(level)];
+  if (mesh.made) return mesh;
+  mesh.made = true;
+  const TerrainTileMesh data = buildTerrainTile(m_terrain->heights, tile.x, tile.y, level);
+  mesh.count = static_cast<GLsizei>(data.indices.size());
+  if (mesh.count == 0) return mesh;
+  mesh.vertices = GlBuffer::make();
+  mesh.indices = GlBuffer::make();
+  glNamedBufferStorage(mesh.vertices.id(), static_cast<GLsizeiptr>(data.vertices.size() * sizeof(Vec3f)),
+                       data.vertices.data(), 0);
+  glNamedBufferStorage(mesh.indices.id(),
+                       static_cast<GLsizeiptr>(data.indices.size() * sizeof(std::uint32_t)),
+                       data.indices.data(), 0);
+  return mesh;
+}
+
+void TerrainPass::drawTile(const LevelMesh& mesh) const {
+  glVertexArrayVertexBuffer(m_vertexArray.id(), 0, mesh.vertices.id(), 0, sizeof(Vec3f));
+  glVertexArrayElementBuffer(m_vertexArray.id(), mesh.indices.id());
+  glDrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);
+}
+
+void TerrainPass::draw(const DrawContext& context, const std::vector<Vec4f>& cuts) {
+  m_triangles = 0;
+  if (!m_terrain) return;
+  glBindVertexArray(m_vertexArray.id());
+  // Near tiles first, so that they hide far ones before those are shaded.
+  std::vector<std::pair<double, Tile*>> seen;
+  for (Tile& tile : m_tiles)
+    if (context.frustum.mayShow(tile.bounds))
+      seen.emplace_back(distanceTo(tile.bounds, context.camera.position), &tile);
+  std::stable_sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  const double pixels = kQuadPixels / std::clamp(context.options.quality, 0.1, 4.0);
+  for (const auto& [distance, tile] : seen) {
+    const int level = terrainLevel(distance, m_terrain->heights.cellSize, context.pixelsPerUnit, pixels);
+    const LevelMesh& mesh = meshOf(*tile, level);
+    if (mesh.count == 0) continue;
+    std::vector<Vec4f> here;
+    for (const Vec4f& cut : cuts)
+      if (overlaps(tile->bounds, cut) && here.size() < kMostCuts) here.push_back(cut);
+    const GlProgram& program = here.empty() ? m_program : m_cutProgram;
+    program.use();
+    if (!here.empty()) {
+      program.setArray("uCuts", &here.front().x, static_cast<int>(here.size()));
+      program.set("uCutCount", static_cast<int>(here.size()));
+    }
+    drawTile(mesh);
+    m_triangles += static_cast<std::size_t>(mesh.count / 3);
+  }
+}
+
+}  // namespace spin

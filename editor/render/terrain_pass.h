@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "editor/render/draw_context.h"
+#include "editor/render/gl_program.h"
+#include "editor/render/ground_map.h"
+#include "editor/render/terrain_mesh.h"
+
+namespace spin {
+
+/// Draws the terrain by tiles, each at the level of detail that its distance asks for. Tile meshes are made
+/// when they are first seen.
+class TerrainPass {
+ public:
+  Status initialise();
+  /// Uploads the light map of a new terrain; nothing if it is the one already held.
+  void setTerrain(std::shared_ptr<const TerrainData> terrain);
+  /// Brings ground colours and the terrain's shadow up to date.
+  void update(const SceneSnapshot& scene, double filmTime, GroundDisplay display, Vec3d toSun);
+  /// Binds what every pass that lights something reads: light map, shadow heights, ground colours.
+  void bindTextures() const;
+  /// `cuts`: rectangles x0, y0, x1, y1 that fine grids draw instead. Fills FrameBlock's terrain fields
+  /// before.
+  void draw(const DrawContext& context, const std::vector<Vec4f>& cuts);
+  void fill(FrameBlock& block) const;
+  bool empty() const { return !m_terrain; }
+  std::size_t trianglesDrawn() const { return m_triangles; }
+  const GroundMap& ground() const { return m_ground; }
+
+ private:
+  struct LevelMesh {
+    GlBuffer vertices, indices;
+    GLsizei count = 0;
+    bool made = false;
+  };
+  struct Tile {
+    int x = 0, y = 0;
+    Box3d bounds;
+    std::array<LevelMesh, kTerrainLevels> levels;
+  };
+  void makeTiles();
+  const LevelMesh& meshOf(Tile& tile, int level) const;
+  void drawTile(const LevelMesh& mesh) const;
+
+  std::shared_ptr<const TerrainData> m_terrain;
+  std::vector<Tile> m_tiles;
+  GlProgram m_program, m_cutProgram;
+  GlVertexArray m_vertexArray;
+  GlTexture m_light, m_shadow;
+  GroundMap m_ground;
+  Vec3d m_toSun{};
+  std::size_t m_triangles = 0;
+};
+
+/// Level of detail for a tile: each quad's side covers at most about `pixels` on screen.
+int terrainLevel(double distance, double cellSize, double pixelsPerUnit, double pixels);
+
+}  // namespace spin

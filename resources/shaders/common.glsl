@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+layout(std140, binding = 0) uniform FrameBlock {
+  mat4 uViewProjection;
+  mat4 uShadowMatrix;
+  mat4 uZenithMatrix;
+  vec4 uEye;
+  vec4 uForward;
+  vec4 uRight;
+  vec4 uToSun;
+  vec4 uSun;
+  vec4 uSky;
+  vec4 uBounce;
+  vec4 uZenith;
+  vec4 uHorizon;
+  vec4 uTerrainGrid;
+  vec4 uTerrainSize;
+  vec4 uViewport;
+};
+
+// Texture coordinates of a local position in the terrain's rasters (cell centres at texel centres).
+vec2 terrainUv(vec2 local) {
+  return ((local - uTerrainGrid.xy) * uTerrainGrid.z + 0.5) / uTerrainSize.xy;
+}

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+layout(binding = 0) uniform sampler2D uNoise;           // makeNoiseTile()
+layout(binding = 1) uniform sampler2DShadow uShadowMap; // models as the sun sees them
+layout(binding = 2) uniform sampler2DShadow uZenithMap; // models as the zenith sees them
+layout(binding = 3) uniform sampler2D uTerrainLight;    // normal x, y, sky share, data
+layout(binding = 4) uniform sampler2D uTerrainShadow;   // height of the terrain's own shadow
+
+// Share of the sun's beam that reaches a point: the terrain's shadow volume with a soft edge, then models.
+float sunVisibility(vec3 p) {
+  float visible = 1.0;
+  if (uTerrainGrid.w > 0.5) {
+    float edge = texture(uTerrainShadow, terrainUv(p.xy)).r;
+    visible = smoothstep(-3.0, 3.0, p.z - edge);
+  }
+  if (uZenith.w > 0.5) {
+    vec3 s = (uShadowMatrix * vec4(p, 1.0)).xyz;
+    vec2 a = abs(s.xy);
+    if (max(a.x, a.y) < 0.98) {
+      vec2 uv = s.xy * 0.5 + 0.5;
+      float d = s.z - 0.0012;
+      float texel = 0.9 / 1024.0;
+      float lit = texture(uShadowMap, vec3(uv + vec2(texel, texel * 0.4), d)) +
+                  texture(uShadowMap, vec3(uv - vec2(texel, texel * 0.4), d));
+      visible *= mix(0.5 * lit, 1.0, smoothstep(0.85, 0.98, max(a.x, a.y)));
+    }
+  }
+  return visible;
+}
+
+// Share of the sky above a point that models leave open, from four wide looks into the zenith map.
+float zenithVisibility(vec3 p) {
+  if (uZenith.w < 0.5) return 1.0;
+  vec3 s = (uZenithMatrix * vec4(p, 1.0)).xyz;
+  vec2 a = abs(s.xy);
+  float rim = max(a.x, a.y);
+  if (rim > 0.98) return 1.0;
+  vec2 uv = s.xy * 0.5 + 0.5;
+  float d = s.z - 0.0012;
+  float open = texture(uZenithMap, vec3(uv + vec2(0.0065, 0.0024), d)) +
+               texture(uZenithMap, vec3(uv + vec2(-0.0024, 0.0065), d)) +
+               texture(uZenithMap, vec3(uv + vec2(-0.0065, -0.0024), d)) +
+               texture(uZenithMap, vec3(uv + vec2(0.0024, -0.0065), d));
+  return mix(0.25 * open, 1.0, smoothstep(0.85, 0.98, rim));
+}
+
+// Colour of the sky in a direction: what the haze fades to.
+vec3 skyColour(vec3 direction) {
+  float up = clamp(direction.z, 0.0, 1.0);
+  vec3 colour = mix(uHorizon.rgb, uZenith.rgb, 1.0 - exp(-3.2 * up));
+  float towards = clamp(dot(direction, uToSun.xyz), 0.0, 1.0);
+  float clear = 1.0 - uSun.w;
+  float t2 = towards * towards, t8 = t2 * t2 * t2 * t2;
+  return colour + uSun.rgb * (0.10 * t8 + 0.05 * t2) * (0.35 + 0.65 * clear);
+}
+
+// Light that a diffuse surface reflects: sun, sky above, surroundings below.
+vec3 diffuseLight(vec3 normal, float sunlit, float skyOpen) {
+  float sunCos = max(dot(normal, uToSun.xyz), 0.0);
+  float up = 0.5 + 0.5 * normal.z;
+  return uSun.rgb * (sunCos * sunlit) + uSky.rgb * (up * skyOpen) +
+         uBounce.rgb * ((1.0 - up) * (0.4 + 0.6 * skyOpen) + up * (1.0 - skyOpen) * 0.35);
+}
+
+// Fresh snow: bright in all directions; light that enters comes out again beside, so that the edge of shade
+// is soft (wrapped cosine) and shade itself is bluish.
+vec3 snowColour(vec3 normal, float sunlit, float skyOpen) {
+  const vec3 albedo = vec3(0.87, 0.88, 0.90);
+  float sunCos = dot(normal, uToSun.xyz);
+  float wrapped = max((sunCos + 0.22) / 1.22, 0.0);
+  float up = 0.5 + 0.5 * normal.z;
+  vec3 shade = uSky.rgb * (up * skyOpen) * vec3(0.94, 0.98, 1.04);
+  vec3 around = uBounce.rgb * ((1.0 - up) + up * (1.0 - skyOpen) * 0.5);
+  return albedo * (uSun.rgb * (mix(wrapped, max(sunCos, 0.0), 0.5) * sunlit) + shade + around);
+}
+
+// Sun that single crystals mirror into the eye; only where texels of the white noise are seen apart.
+vec3 snowSparkle(vec3 p, vec3 normal, vec3 toEye, float distance, float sunlit) {
+  float near = 1.0 - smoothstep(6.0, 16.0, distance);
+  if (near <= 0.0) return vec3(0.0);
+  vec2 cell = p.xy * 0.55 + toEye.xy * 0.35;
+  float glint = smoothstep(0.975, 1.0, texture(uNoise, cell).a);
+  float lobe = max(dot(normal, normalize(uToSun.xyz + toEye)), 0.0);
+  return uSun.rgb * (glint * near * sunlit * 1.4 * lobe * lobe * lobe);
+}
+
+// Tone curve: linear below 0.7, then a shoulder that keeps highlights from clipping.
+vec3 shoulder(vec3 colour) {
+  vec3 high = max(colour - 0.7, 0.0);
+  return min(colour, 0.7) + 0.32 * (1.0 - exp(-high / 0.32));
+}
+
+// The finished picture value of a surface: veiled by haze over its distance, then the tone curve.
+vec3 finish(vec3 colour, vec3 p) {
+  vec3 ray = p - uEye.xyz;
+  float distance = length(ray);
+  float kept = exp(-uHorizon.w * distance);
+  colour = mix(skyColour(ray / distance), colour, kept);
+  return shoulder(colour);
+}
+
+// How much of the ground snow hides. Thin snow sinks between stems and stones: `roughness` (m) is how far
+// they stand out, and `grain` in 0..1 says where.
+float snowCoverage(float depth, float roughness, float grain) {
+  float level = depth - roughness * grain;
+  return clamp(level / (0.35 * roughness) + 0.15, 0.0, 1.0) * smoothstep(0.0, 0.004, depth);
+}

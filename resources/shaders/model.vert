@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+layout(location = 0) in vec3 aPosition;
+layout(location = 1) in vec3 aNormal;
+layout(location = 2) in vec2 aUv;
+uniform mat4 uModel;
+uniform mat4 uNormalMatrix;
+out vec3 vPosition;
+out vec3 vNormal;
+out vec2 vUv;
+
+void main() {
+  vPosition = (uModel * vec4(aPosition, 1.0)).xyz;
+  vNormal = mat3(uNormalMatrix) * aNormal;
+  vUv = aUv;
+  gl_Position = uViewProjection * vec4(vPosition, 1.0);
+}
