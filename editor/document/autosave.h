@@ -51,7 +51,7 @@ class Autosave : public QObject {
 
   static QString defaultStateDirectory();
 
- signals:
+ Q_SIGNALS:
   void written();
   void writeFailed(const QString& message);
 

@@ -53,7 +53,7 @@ class SceneDocument : public QObject {
   /// Saves to path() or to another file on a thread; saveFinished() tells the outcome. One save at a time.
   void save() { saveAs(m_path); }
   void saveAs(const QString& path);
-  bool isSaving() const { return m_saving; }
+  bool isSaving() const { return m_saveJob != nullptr; }
   /// Waits for the save in progress, for closing the window and for tests.
   Status finishSaving();
   /// Copies all files the scene uses into its folder NAME.assets/ and makes the nodes use the copies (one
@@ -79,7 +79,7 @@ class SceneDocument : public QObject {
   /// another source.
   void setIssues(const QString& source, std::vector<DocumentIssue> issues);
 
- signals:
+ Q_SIGNALS:
   void changed(const spin::ChangeEvent& event);
   void pathChanged(const QString& path);
   void modifiedChanged(bool modified);
@@ -96,11 +96,12 @@ class SceneDocument : public QObject {
 
   void reset(LoadedScene loaded, const QString& path);
   void notify(const ChangeEvent& event);
-  void checkScene();
-  void gatherIssues();
+  void checkOwnScene();
   void loadLayers();
-  void takeLayers(const Scene& loaded, std::vector<AssetLibrary::Issue> found);
-  void finishSave(const SaveJob& job);
+  void takeLayers(const Scene& loaded, const std::vector<AssetLibrary::Issue>& found);
+  std::shared_ptr<SaveJob> makeSaveJob(const QString& path) const;
+  void finishSave(const std::shared_ptr<SaveJob>& job);
+  void takeSources(const SaveJob& job);
   void addRecentFile(const QString& path);
 
   Scene m_scene;
@@ -109,14 +110,16 @@ class SceneDocument : public QObject {
   std::shared_ptr<AssetReader> m_reader;
   std::shared_ptr<AssetLibrary> m_assets;
   std::unique_ptr<QThreadPool> m_worker;
+  CancelToken m_cancelLoading;
   QString m_path;
   std::string m_selected;
   std::map<QString, std::vector<DocumentIssue>> m_issuesBySource;
   std::vector<DocumentIssue> m_issues;
-  std::shared_ptr<SaveJob> m_saveJob;
-  quint64 m_generation = 0;  ///< counts scenes: answers of workers for an older one are dropped
+  std::map<std::string, PaintedLayer> m_layersOnDisk;  ///< by node id, as last read or written
+  std::shared_ptr<SaveJob> m_saveJob;                  ///< in progress
+  quint64 m_generation = 0;  ///< counts scenes: answers of threads for an older one are dropped
+  quint64 m_edits = 0;       ///< counts changes, so that a save knows whether it is still up to date
   bool m_loadingLayers = false;
-  bool m_saving = false;
   bool m_recovered = false;  ///< modified although the undo stack is clean
 };
 

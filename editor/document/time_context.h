@@ -19,10 +19,10 @@ class TimeContext : public QObject {
   double filmTime() const;
   double frameRate() const;
 
- public slots:
+ public Q_SLOTS:
   void setFrame(int frame);
 
- signals:
+ Q_SIGNALS:
   void frameChanged(int frame);
 
  private:

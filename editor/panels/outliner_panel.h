@@ -19,7 +19,7 @@ class OutlinerPanel : public QWidget {
 
   QTreeView* view() const { return m_view; }
 
- signals:
+ Q_SIGNALS:
   /// Double click on a node: the viewport may frame it.
   void nodeActivated(const std::string& id);
 

@@ -29,7 +29,7 @@ class PropertyPanel : public QWidget {
   /// The row of a property of the shown node; nullptr if there is none.
   PropertyRowEditor* row(const std::string& property) const;
 
- signals:
+ Q_SIGNALS:
   /// An edit was refused; for the status bar.
   void editRefused(const QString& message);
 

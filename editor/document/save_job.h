@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "editor/document/scene_document.h"
+
+namespace spin {
+
+/// Everything a save needs, frozen, so that it runs on a thread while the user goes on.
+struct SceneDocument::SaveJob {
+  QString path;
+  QString oldPath;  ///< file the scene's relative paths refer to; empty if it was never saved
+  Scene original;   ///< as it was when the save began
+  Scene scene;      ///< with the files named as in the new place
+  SceneFileExtras extras;
+  std::map<std::string, PaintedLayer> layersOnDisk;
+  quint64 edits = 0;
+  quint64 generation = 0;
+  Status status;
+
+  void run(AssetLibrary& assets);
+
+ private:
+  void rebaseSources();
+  Status saveLayers(AssetLibrary& assets);
+};
+
+}  // namespace spin
