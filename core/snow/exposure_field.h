@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "core/base/cancel.h"
+#include "core/base/parallel.h"
+#include "core/physics/slope_hold.h"
+#include "core/snow/snow_scene.h"
+#include "core/snow/snow_weather.h"
+
+namespace spin {
+
+/// What the exposure depends on besides geometry.
+struct ExposureSettings {
+  FallCone cone;
+  int rays = 64;  ///< per cell, >= 1
+  SlopeHold hold;
+  double noise = 0.0;  ///< amplitude of the cover's unevenness, 0..1
+  std::uint64_t seed = 1;
+};
+
+/// Where the snow of one set of fall directions goes, per precipitation rate: kg/s per kg/(m2 s), that is m2.
+struct SinkRates {
+  double ground = 0.0;  ///< on the terrain
+  double models = 0.0;
+  double left = 0.0;  ///< out of the domain: downwind, through holes and past the terrain's edge
+  double total() const { return ground + models + left; }
+};
+
+/// Two independent estimates of the same flows. Gathered: every surface looks towards the sky; it rules the
+/// cover. Forward: packets from the domain's faces, each ends in one sink; it checks.
+struct SnowRates {
+  double emitted = 0.0;    ///< through the faces where snow comes in, by area and direction, without rays
+  double deposited = 0.0;  ///< gathered, stays where it arrives
+  double shed = 0.0;       ///< gathered, arrives where it does not stay
+  double left = 0.0;       ///< gathered
+  SinkRates gathered, forward;
+  double lost = 0.0;  ///< forward packets that ended inside the ground: 0 unless the geometry leaks
+
+  /// Forward less gathered, summed over the sinks.
+  double residual() const { return forward.total() - gathered.total(); }
+};
+
+/// How open the cover's cells lie to snow that falls in one set of directions.
+struct ExposureField {
+  struct Values {
+    std::vector<float> exposure;  ///< share of the rays that see the sky, 0..1
+    std::vector<float> held;      ///< deposit per precipitation rate and horizontal area, with noise
+  };
+  std::vector<Values> grids;  ///< by the layout's grids
+  SnowRates rates;
+  double airVolume = 0.0;     ///< m3
+  double samplingRmse = 0.0;  ///< of the exposure, estimated from the two halves of each cell's rays
+  FallCone cone;
+};
+
+/// Threads, cancel and progress of a long computation.
+struct Workshop {
+  CpuBackend& backend;
+  const CancelToken& cancel;
+  std::function<void(double)> progress;  ///< fraction 0..1, called from the calling thread; may be empty
+};
+
+/// Casts the rays. Deterministic whatever the thread count. Fails only with ErrorKind::Cancelled.
+Result<ExposureField> makeExposureField(const SceneSnapshot& snapshot, const SnowGround& ground,
+                                        const SnowScene& scene, const ExposureSettings& settings,
+                                        const Workshop& workshop);
+
+/// Fills grids and the gathered deposit, shed, ground and models (patches only).
+Status gatherCover(const SceneSnapshot& snapshot, const SnowGround& ground, const SnowScene& scene,
+                   const ExposureSettings& settings, const Workshop& workshop, ExposureField& field);
+/// Fills the rest of the rates: emission, forward packets, what leaves, what bare model surfaces shed.
+Status estimateRates(const SceneSnapshot& snapshot, const SnowGround& ground, const SnowScene& scene,
+                     const ExposureSettings& settings, const Workshop& workshop, SnowRates& rates);
+
+/// ErrorKind::Cancelled.
+Error cancelledError();
+
+}  // namespace spin

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/snow/exposure_process.h"
+#include "core/nodes/settings_nodes.h"
+#include "core/nodes/terrain_node.h"
+#include "core/snow/snow_inputs.h"
+#include "core/snow/snow_processes.h"
+
+namespace spin {
+
+ExposureSettings exposureSettings(const SceneSnapshot& scene, double filmTime) {
+  const SnowWeather weather = snowWeatherAt(scene, filmTime);
+  const auto simulation = scene.settings<SimulationNode>(filmTime);
+  ExposureSettings settings;
+  settings.cone = fallCone(weather.wind, weather.spectrum.meanFallSpeed,
+                           degreesToRadians(weather.snowfall.fallSpreadDegrees));
+  settings.rays = std::max(simulation.exposureRays, 1);
+  settings.hold.holdsBelow = degreesToRadians(simulation.holdsBelowDegrees);
+  settings.hold.shedsAbove =
+      degreesToRadians(std::max(simulation.shedsAboveDegrees, simulation.holdsBelowDegrees));
+  settings.noise = simulation.exposureNoise;
+  settings.seed = static_cast<std::uint64_t>(simulation.seed);
+  return settings;
+}
+
+namespace {
+
+Hash128 keyOf(const ExposureSettings& settings, const SceneSnapshot& scene, double filmTime) {
+  Hasher hasher;
+  const Vec3d& mean = settings.cone.frame.n;
+  hasher.add(mean.x).add(mean.y).add(mean.z).add(settings.cone.halfAngle);
+  for (const SceneNode* node : scene.all<ModelNode>()) {
+    if (!scene.models.count(node->id)) continue;
+    const Transform placement = scene.modelTransform(*node, filmTime);
+    for (const double value : placement.linear) hasher.add(value);
+    hasher.add(placement.translation.x).add(placement.translation.y).add(placement.translation.z);
+  }
+  return hasher.digest();
+}
+
+/// Holds the exposure and casts rays again only when the directions of fall or a model's place changed. It is
+/// a pure function of those, so a checkpoint need not store it.
+class ExposureProcess final : public Process {
+ public:
+  const char* id() const override { return "exposure"; }
+
+  void hashInputs(const StepInput& input, Hasher& hasher) const override {
+    hasher.add("exposure");
+    hashSnowWeather(input, hasher);
+    hashSnowGround(input, hasher);
+  }
+
+  Status begin(const SceneSnapshot& scene, ProcessContext& context) override {
+    prepare(scene, context);
+    return update(scene, 0.0, context);
+  }
+  Status step(const StepInput& input, ProcessContext& context) override {
+    return update(input.scene, middleFilm(input), context);
+  }
+
+  void publish(const SceneSnapshot&, const FrameTime&, Frame& frame) const override {
+    if (!m_field) return;
+    frame.info.figures["exposure_sampling_rmse"] = m_field->samplingRmse;
+    frame.info.figures["fall_cone_deg"] = radiansToDegrees(m_field->cone.halfAngle);
+  }
+
+  void saveState(ByteWriter&) const override {}
+  Status loadState(const SceneSnapshot& scene, ProcessContext& context, ByteReader&) override {
+    prepare(scene, context);
+    return {};
+  }
+
+  void estimate(const SceneSnapshot& scene, double& stateBytes, double& frameBytes) const override {
+    stateBytes = frameBytes = 0.0;
+    if (!scene.terrain) return;
+    // Per terrain cell two triangles in the ray scene (about 150 bytes each with their tree) and two floats.
+    stateBytes = static_cast<double>(scene.terrain->heights.size()) * 310.0;
+  }
+
+ private:
+  void prepare(const SceneSnapshot& scene, ProcessContext& context) {
+    m_field = nullptr;
+    m_key = {};
+    m_ground = makeSnowGround(scene);
+    context.exchange.emplace<SnowGroundPointer>(m_ground);
+  }
+
+  Status update(const SceneSnapshot& scene, double filmTime, ProcessContext& context) {
+    const ExposureSettings settings = exposureSettings(scene, filmTime);
+    const Hash128 key = keyOf(settings, scene, filmTime);
+    if (m_field && key == m_key) return {};
+    const SnowScene standing = [&] {
+      ScopedStage stage(context.backend.timings(), "ray scene");
+      return makeSnowScene(scene, *m_ground, filmTime, context.makeRayScene);
+    }();
+    auto field = makeExposureField(scene, *m_ground, standing, settings,
+                                   {context.backend, context.cancel, context.progress});
+    if (!field) return field.error();
+    m_field = std::make_shared<const ExposureField>(std::move(field.value()));
+    m_key = key;
+    context.exchange.emplace<ExposureFieldPointer>(m_field);
+    return {};
+  }
+
+  SnowGroundPointer m_ground;
+  ExposureFieldPointer m_field;
+  Hash128 m_key;
+};
+
+}  // namespace
+
+ProcessType exposureProcessType() {
+  return {"exposure", 300, snowHasGround,
+          [] { return std::unique_ptr<Process>(std::make_unique<ExposureProcess>()); }};
+}
+
+}  // namespace spin

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/snow/snow_ground.h"
+
+#include <numeric>
+
+#include "core/base/log.h"
+#include "core/base/units.h"
+#include "core/nodes/settings_nodes.h"
+#include "core/nodes/terrain_node.h"
+
+namespace spin {
+
+std::vector<PlacedTriangle> placedTriangles(const ModelData& model, const Transform& placement) {
+  std::vector<PlacedTriangle> triangles;
+  triangles.reserve(model.triangleCount());
+  Transform turn = placement;
+  turn.translation = {};
+  for (const MeshInstance& instance : model.instances) {
+    const Mesh& mesh = model.meshes[static_cast<std::size_t>(instance.mesh)];
+    const Transform toPlace = turn * instance.transform;
+    for (std::size_t k = 0; k + 2 < mesh.indices.size(); k += 3) {
+      PlacedTriangle triangle;
+      for (std::size_t c = 0; c < 3; ++c)
+        triangle.corners[c] = toPlace.point(mesh.positions[mesh.indices[k + c]].to<double>()).to<float>();
+      triangles.push_back(triangle);
+    }
+  }
+  return triangles;
+}
+
+SnowGroundPointer makeSnowGround(const SceneSnapshot& scene) {
+  auto ground = std::make_shared<SnowGround>();
+  auto layout = std::make_shared<CoverLayout>();
+  addTerrainGrids(scene, *layout, ground->terrain);
+  const auto settings = scene.settings<SimulationNode>(0.0);
+  const double minUpward = std::cos(degreesToRadians(settings.shedsAboveDegrees));
+  for (const SceneNode* node : scene.all<ModelNode>()) {
+    const auto found = scene.models.find(node->id);
+    if (found == scene.models.end() || !found->second) continue;
+    const auto evaluated = evaluate(*node, 0.0);
+    const auto& data = static_cast<const ModelNode&>(*evaluated);
+    ModelGround model;
+    model.node = node->id;
+    model.turns = node->curves.count("rotation_deg") > 0 || node->curves.count("scale") > 0;
+    model.triangles = placedTriangles(*found->second, scene.modelTransform(*node, 0.0));
+    if (data.catchesSnow && !model.turns) {
+      addModelPatches(model, data.coverCell, minUpward, *layout);
+    } else {
+      model.bare.resize(model.triangles.size());
+      std::iota(model.bare.begin(), model.bare.end(), 0u);
+    }
+    if (data.catchesSnow && model.turns)
+      logWarning("Model '" + node->id + "' turns or changes size during the film, so no snow stays on it");
+    ground->models.push_back(std::move(model));
+  }
+  ground->layout = std::move(layout);
+  return ground;
+}
+
+}  // namespace spin

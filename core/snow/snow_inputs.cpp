@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/snow/snow_inputs.h"
+
+#include "core/nodes/settings_nodes.h"
+#include "core/nodes/terrain_node.h"
+#include "core/nodes/weather_nodes.h"
+
+namespace spin {
+
+bool snowHasGround(const SceneSnapshot& scene) {
+  if (!scene.first<SnowfallNode>()) return false;
+  if (scene.terrain && !scene.terrain->heights.empty()) return true;
+  for (const SceneNode* node : scene.all<ModelNode>()) {
+    const auto found = scene.models.find(node->id);
+    if (found != scene.models.end() && found->second && found->second->triangleCount() > 0) return true;
+  }
+  return false;
+}
+
+void hashSnowWeather(const StepInput& input, Hasher& hasher) {
+  for (const FrameTime& time : {input.from, input.to}) hasher.add(time.film).add(time.weather);
+  const auto hashAll = [&](const auto& nodes) {
+    for (const SceneNode* node : nodes)
+      for (const double film : {input.from.film, middleFilm(input), input.to.film})
+        input.scene.hashNode(*node, film, hasher);
+  };
+  hashAll(input.scene.all<WeatherNode>());
+  hashAll(input.scene.all<SnowfallNode>());
+  hashAll(input.scene.all<SimulationNode>());
+}
+
+void hashSnowGround(const StepInput& input, Hasher& hasher) {
+  hasher.add(input.scene.terrain != nullptr);
+  for (const SceneNode* node : input.scene.all<TerrainNode>())
+    input.scene.hashNode(*node, middleFilm(input), hasher);
+  for (const SceneNode* node : input.scene.all<ModelNode>())
+    input.scene.hashNode(*node, middleFilm(input), hasher);
+}
+
+}  // namespace spin

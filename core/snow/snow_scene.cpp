@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/snow/snow_scene.h"
+
+#include <algorithm>
+
+#include "core/base/check.h"
+#include "core/nodes/terrain_node.h"
+
+namespace spin {
+namespace {
+
+struct TriangleSoup {
+  std::vector<Vec3f> positions;
+  std::vector<std::uint32_t> indices;
+};
+
+/// Points of the raster that some quad uses, numbered, and two triangles a quad.
+TriangleSoup terrainTriangles(const TerrainSurface& surface, Vec3d centre) {
+  const Raster<float>& h = surface.heights();
+  TriangleSoup soup;
+  Raster<std::uint32_t> number = h.sameShape<std::uint32_t>(UINT32_MAX);
+  const auto corner = [&](int i, int j) {
+    std::uint32_t& n = number.at(i, j);
+    if (n == UINT32_MAX) {
+      n = static_cast<std::uint32_t>(soup.positions.size());
+      soup.positions.push_back((Vec3d{h.x(i), h.y(j), h.at(i, j)} - centre).to<float>());
+    }
+    return n;
+  };
+  for (int j = 0; j + 1 < h.height; ++j)
+    for (int i = 0; i + 1 < h.width; ++i) {
+      if (!surface.quadExists(i, j)) continue;
+      const std::uint32_t a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1),
+                          d = corner(i, j + 1);
+      soup.indices.insert(soup.indices.end(), {a, b, c, a, c, d});
+    }
+  return soup;
+}
+
+/// Edges of quads whose neighbour across the edge does not exist.
+std::vector<SkirtEdge> skirtEdges(const TerrainSurface& surface) {
+  const Raster<float>& h = surface.heights();
+  std::vector<SkirtEdge> edges;
+  const auto point = [&](int i, int j) { return Vec3d{h.x(i), h.y(j), h.at(i, j)}; };
+  for (int j = 0; j + 1 < h.height; ++j)
+    for (int i = 0; i + 1 < h.width; ++i) {
+      if (!surface.quadExists(i, j)) continue;
+      const Vec3d a = point(i, j), b = point(i + 1, j), c = point(i + 1, j + 1), d = point(i, j + 1);
+      if (!surface.quadExists(i, j - 1)) edges.push_back({a, b, {0, -1, 0}, false});
+      if (!surface.quadExists(i + 1, j)) edges.push_back({b, c, {1, 0, 0}, false});
+      if (!surface.quadExists(i, j + 1)) edges.push_back({c, d, {0, 1, 0}, false});
+      if (!surface.quadExists(i - 1, j)) edges.push_back({d, a, {-1, 0, 0}, false});
+    }
+  return edges;
+}
+
+Box3d terrainBox(const TerrainSurface& surface) {
+  const Raster<float>& h = surface.heights();
+  Box3d box;
+  for (int j = 0; j + 1 < h.height; ++j)
+    for (int i = 0; i + 1 < h.width; ++i) {
+      if (!surface.quadExists(i, j)) continue;
+      for (int corner = 0; corner < 4; ++corner) {
+        const int ci = i + (corner & 1), cj = j + (corner >> 1);
+        box.extend(Vec3d{h.x(ci), h.y(cj), h.at(ci, cj)});
+      }
+    }
+  return box;
+}
+
+TriangleSoup skirtTriangles(const std::vector<SkirtEdge>& edges, double floor, Vec3d centre) {
+  TriangleSoup soup;
+  for (const SkirtEdge& edge : edges) {
+    const auto first = static_cast<std::uint32_t>(soup.positions.size());
+    for (const Vec3d p :
+         {edge.from, edge.to, Vec3d{edge.to.x, edge.to.y, floor}, Vec3d{edge.from.x, edge.from.y, floor}})
+      soup.positions.push_back((p - centre).to<float>());
+    soup.indices.insert(soup.indices.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
+  }
+  return soup;
+}
+
+bool liesOnBorder(const SkirtEdge& edge, const Box3d& domain) {
+  const double tolerance = 1e-6 * length(domain.size());
+  const auto near = [tolerance](double a, double b) { return std::abs(a - b) <= tolerance; };
+  if (edge.outward.x != 0.0) return near(edge.from.x, edge.outward.x > 0.0 ? domain.max.x : domain.min.x);
+  return near(edge.from.y, edge.outward.y > 0.0 ? domain.max.y : domain.min.y);
+}
+
+/// Ground's volume above the floor; under a cut quad the mean of its two triangles' mean heights.
+double groundVolume(const TerrainSurface& surface, double floor) {
+  const Raster<float>& h = surface.heights();
+  double sum = 0.0;
+  for (int j = 0; j + 1 < h.height; ++j)
+    for (int i = 0; i + 1 < h.width; ++i) {
+      if (!surface.quadExists(i, j)) continue;
+      const double diagonal = static_cast<double>(h.at(i, j)) + static_cast<double>(h.at(i + 1, j + 1));
+      const double others = static_cast<double>(h.at(i + 1, j)) + static_cast<double>(h.at(i, j + 1));
+      sum += (2.0 * diagonal + others) / 6.0 - floor;
+    }
+  return sum * h.cellSize * h.cellSize;
+}
+
+std::vector<StandingModel> standingModels(const SceneSnapshot& scene, const SnowGround& ground,
+                                          double filmTime) {
+  std::vector<StandingModel> models;
+  for (const ModelGround& model : ground.models) {
+    const auto nodes = scene.all<ModelNode>();
+    const auto node =
+        std::find_if(nodes.begin(), nodes.end(), [&](const SceneNode* n) { return n->id == model.node; });
+    SPIN_CHECK(node != nodes.end(), "the snow ground is of another scene");
+    StandingModel standing;
+    standing.placement = scene.modelTransform(**node, filmTime);
+    standing.triangles =
+        model.turns ? placedTriangles(*scene.models.at(model.node), standing.placement) : model.triangles;
+    models.push_back(std::move(standing));
+  }
+  return models;
+}
+
+void addModel(SnowScene& scene, StandingModel& model) {
+  TriangleSoup soup;
+  const Vec3d move = model.placement.translation - scene.centre;
+  for (const PlacedTriangle& triangle : model.triangles)
+    for (const Vec3f& p : triangle.corners) {
+      soup.indices.push_back(static_cast<std::uint32_t>(soup.positions.size()));
+      soup.positions.push_back((p.to<double>() + move).to<float>());
+    }
+  model.geometry = scene.rays->addTriangles(soup.positions, soup.indices);
+}
+
+/// Sets domain, floor, centre and offset from what stands in the scene.
+void setDomain(SnowScene& scene, const Box3d& ground) {
+  Box3d models;
+  for (const StandingModel& model : scene.models)
+    for (const PlacedTriangle& triangle : model.triangles)
+      for (const Vec3f& p : triangle.corners) models.extend(p.to<double>() + model.placement.translation);
+  scene.domain = ground;
+  scene.domain.extend(models);
+  if (scene.domain.empty()) return;
+  if (ground.empty()) {
+    // Without terrain the air reaches half a model's size past it, so that snow also falls beside it.
+    const Vec3d margin{0.5 * models.size().x + 1.0, 0.5 * models.size().y + 1.0, 0.0};
+    scene.domain.extend(models.min - margin);
+    scene.domain.extend(models.max + margin);
+  }
+  scene.domain.min.z -= 1.0;
+  scene.domain.max.z += 1.0;
+  scene.level = scene.domain.min.z;
+  scene.centre = scene.domain.centre();
+  const Vec3d half = scene.domain.size() * 0.5;
+  // About 30 times the spacing of floats at the domain's rim.
+  scene.offset = 4e-6 * std::max({half.x, half.y, half.z}) + 1e-6;
+}
+
+}  // namespace
+
+SnowScene makeSnowScene(const SceneSnapshot& snapshot, const SnowGround& ground, double filmTime,
+                        const RaySceneFactory& makeRayScene) {
+  SnowScene scene;
+  scene.rays = makeRayScene();
+  scene.models = standingModels(snapshot, ground, filmTime);
+  Box3d box;
+  if (!ground.terrain.empty()) box = terrainBox(TerrainSurface(snapshot.terrain->heights));
+  setDomain(scene, box);
+  if (scene.domain.empty()) return scene;
+  const Vec3d size = scene.domain.size();
+  scene.airVolume = size.x * size.y * size.z;
+  if (!box.empty()) {
+    const TerrainSurface surface(snapshot.terrain->heights);
+    scene.hasTerrain = true;
+    scene.skirts = skirtEdges(surface);
+    for (SkirtEdge& edge : scene.skirts) edge.onBorder = liesOnBorder(edge, scene.domain);
+    const TriangleSoup land = terrainTriangles(surface, scene.centre);
+    scene.terrainGeometry = scene.rays->addTriangles(land.positions, land.indices);
+    const TriangleSoup skirts = skirtTriangles(scene.skirts, scene.level, scene.centre);
+    scene.skirtGeometry = scene.rays->addTriangles(skirts.positions, skirts.indices);
+    scene.airVolume -= groundVolume(surface, scene.level);
+  }
+  for (StandingModel& model : scene.models) addModel(scene, model);
+  scene.rays->commit();
+  return scene;
+}
+
+}  // namespace spin

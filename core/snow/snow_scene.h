@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "core/fields/ray_scene.h"
+#include "core/fields/terrain_surface.h"
+#include "core/snow/snow_ground.h"
+
+namespace spin {
+
+/// A vertical face under the edge of the terrain's surface, down to the domain's floor. The ground is solid:
+/// snow that comes in below an edge ends there.
+struct SkirtEdge {
+  Vec3d from, to;         ///< along the terrain's edge, local m
+  Vec3d outward;          ///< unit, away from the ground, horizontal
+  bool onBorder = false;  ///< coincides with a side of the domain: no air outside it
+};
+
+/// A model where it stands at one time.
+struct StandingModel {
+  Transform placement;
+  std::vector<PlacedTriangle> triangles;  ///< relative to the placement's translation
+  std::uint32_t geometry = 0;             ///< in the ray scene
+};
+
+/// Everything that snow can hit at one time, and the box of air it falls through.
+struct SnowScene {
+  std::unique_ptr<RayScene> rays;  ///< coordinates less `centre`, to keep float's digits
+  Vec3d centre{};
+  Box3d domain;         ///< local m; empty if there is nothing to land on
+  double offset = 0.0;  ///< m, by which ray origins stand off their surface
+  bool hasTerrain = false;
+  std::uint32_t terrainGeometry = 0, skirtGeometry = 0;
+  std::vector<SkirtEdge> skirts;
+  std::vector<StandingModel> models;  ///< in the order of SnowGround::models
+  double airVolume = 0.0;             ///< m3 in the domain above the terrain
+  double level = 0.0;                 ///< height of the domain's floor
+
+  /// Ray that asks whether snow falling along `fall` (unit) reaches a point of a surface whose unit normal on
+  /// the side in question is `side`.
+  Ray towardsSky(Vec3d point, Vec3d side, Vec3d fall) const {
+    const Vec3d from = point + side * offset - centre;
+    return {from.to<float>(), (-fall).to<float>(), 0.0f, std::numeric_limits<float>::infinity()};
+  }
+};
+
+SnowScene makeSnowScene(const SceneSnapshot& scene, const SnowGround& ground, double filmTime,
+                        const RaySceneFactory& makeRayScene);
+
+}  // namespace spin
