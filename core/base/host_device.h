@@ -11,7 +11,11 @@
 
 // Such a function that is always inlined: it leaves no symbol behind, so a file compiled for a wide
 // instruction set cannot lend its body to callers on a processor without it.
-#define SPIN_HD_INLINE SPIN_HD inline __attribute__((always_inline))
+#if defined(__CUDACC__)
+#define SPIN_HD_INLINE SPIN_HD __forceinline__
+#else
+#define SPIN_HD_INLINE inline __attribute__((always_inline))
+#endif
 
 // Tells the compiler that a loop's iterations are independent; ignored where it has no meaning.
 #if defined(__CUDACC__)

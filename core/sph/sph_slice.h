@@ -48,7 +48,8 @@ class SphSliceSolver {
   /// Replaces all particles; velocities may be empty (at rest). Positions finite and within 1024 supports of
   /// domainMin along each axis.
   virtual Status setParticles(const std::vector<Vec3d>& positions, const std::vector<Vec3d>& velocities) = 0;
-  virtual void step(double timeStep) = 0;
+  /// Advances by timeStep seconds (> 0). Fails where the device does.
+  virtual Status step(double timeStep) = 0;
   /// In the order of setParticles.
   virtual std::vector<SphParticle> particles() const = 0;
   virtual StageTimings& timings() = 0;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <new>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -34,25 +36,33 @@ class SphSlice final : public SphSliceSolver {
   }
 
   Status setParticles(const std::vector<Vec3d>& positions, const std::vector<Vec3d>& velocities) override {
-    Result<SliceHostState> state = sliceHostState(m_config, positions, velocities);
-    if (!state) return state.error();
-    allocate(positions.size());
-    m_backend.upload(state->x, m_x);
-    m_backend.upload(state->y, m_y);
-    m_backend.upload(state->z, m_z);
-    m_backend.upload(state->records, m_record);
-    m_backend.upload(state->ids, m_id);
-    return {};
+    return guarded([&]() -> Status {
+      const Result<SliceHostState> state = sliceHostState(m_config, positions, velocities);
+      if (!state) return state.error();
+      m_view.count = 0;
+      allocate(positions.size());
+      m_backend.upload(state->x, m_x);
+      m_backend.upload(state->y, m_y);
+      m_backend.upload(state->z, m_z);
+      m_backend.upload(state->records, m_record);
+      m_backend.upload(state->ids, m_id);
+      m_view.count = static_cast<std::uint32_t>(positions.size());
+      point();
+      return {};
+    });
   }
 
-  void step(double timeStep) override {
-    if (m_view.count == 0) return;
-    m_view.constants.timeStep = static_cast<float>(timeStep);
-    sortIntoCells();
-    m_pairs.density(m_backend, m_view);
-    m_backend.forEach("pressure", m_view.count, PressureKernel{m_view});
-    m_pairs.force(m_backend, m_view);
-    m_backend.forEach("integrate", m_view.count, IntegrateKernel{m_view});
+  Status step(double timeStep) override {
+    if (m_view.count == 0) return {};
+    return guarded([&]() -> Status {
+      m_view.constants.timeStep = static_cast<float>(timeStep);
+      sortIntoCells();
+      m_pairs.density(m_backend, m_view);
+      m_backend.forEach("pressure", m_view.count, PressureKernel{m_view});
+      m_pairs.force(m_backend, m_view);
+      m_backend.forEach("integrate", m_view.count, IntegrateKernel{m_view});
+      return {};
+    });
   }
 
   std::vector<SphParticle> particles() const override {
@@ -89,6 +99,20 @@ class SphSlice final : public SphSliceSolver {
   template <class T>
   using Array = typename Backend::template Array<T>;
 
+  /// Memory that is not there and a device that fails are the world's fault, not a bug.
+  template <class Body>
+  static Status guarded(const Body& body) {
+    constexpr const char* kWhat = "The particle solver stopped";
+    try {
+      return body();
+    } catch (const std::bad_alloc&) {
+      return Error{ErrorKind::OutOfResources, kWhat, Backend::kDevice, "there is not enough memory",
+                   "Use fewer particles"};
+    } catch (const std::runtime_error& error) {
+      return Error{ErrorKind::Failed, kWhat, Backend::kDevice, error.what(), "Use --device cpu"};
+    }
+  }
+
   void allocate(std::size_t n) {
     // Vector loads may start at the last particle.
     const std::size_t padded = n + kPairPadding;
@@ -99,8 +123,6 @@ class SphSlice final : public SphSliceSolver {
     for (Array<std::uint32_t>* array : {&m_id, &m_otherId, &m_otherKey}) array->resize(padded);
     m_key.resize(n);
     m_binStart.resize(sliceBinCount(m_view.grid) + 1);
-    m_view.count = static_cast<std::uint32_t>(n);
-    point();
   }
 
   /// Swapping moves arrays between the sorted and the other set; the view follows.
