@@ -6,9 +6,12 @@ namespace spin {
 
 // Each case is one file of this folder that defines its function, such as `BenchCase massCase();`, declared
 // here and called once in the list below.
+BenchCase sphSpeedCase();
 
 const std::vector<BenchCase>& builtInBenchCases() {
-  static const std::vector<BenchCase> cases = {};
+  static const std::vector<BenchCase> cases = {
+      sphSpeedCase(),
+  };
   return cases;
 }
 
