@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/document/scene_checks.h"
+
+#include <QCoreApplication>
+
+#include "core/nodes/camera_node.h"
+#include "core/nodes/settings_nodes.h"
+#include "core/nodes/terrain_node.h"
+#include "core/nodes/weather_nodes.h"
+
+namespace spin {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("SceneChecks", text);
+}
+
+class Checks {
+ public:
+  explicit Checks(const Scene& scene) : m_scene(scene) {}
+
+  std::vector<DocumentIssue> run() {
+    checkNodes();
+    if (const auto* settings = first<SimulationNode>(kSimulationType)) checkSimulation(*settings);
+    if (const auto* picture = first<RenderNode>(kRenderType)) checkPicture(*picture);
+    if (const auto* camera = first<CameraNode>(kCameraType); camera && camera->position == camera->target)
+      add(Severity::Error, kCameraType, "target_m",
+          QT_TRANSLATE_NOOP("SceneChecks", "Camera and target stand on the same spot. Move one of them."));
+    return std::move(m_issues);
+  }
+
+ private:
+  template <class T>
+  const T* first(const NodeType& type) const {
+    const SceneNode* node = m_scene.firstOf(type);
+    return node ? node->as<T>() : nullptr;
+  }
+  void add(Severity severity, const NodeType& type, const char* property, const char* text) {
+    const SceneNode* node = m_scene.firstOf(type);
+    m_issues.push_back({severity, node ? node->id : std::string(), node ? property : "", tr(text)});
+  }
+
+  void checkNodes() {
+    if (!m_scene.firstOf(kCameraType))
+      add(Severity::Warning, kCameraType, "",
+          QT_TRANSLATE_NOOP("SceneChecks", "There is no camera: pictures use a default view. Add a camera."));
+    const bool snows = m_scene.firstOf(kSnowfallType);
+    if (snows && !m_scene.firstOf(kWeatherType))
+      add(Severity::Warning, kWeatherType, "",
+          QT_TRANSLATE_NOOP("SceneChecks",
+                            "It snows without weather: default weather is used. Add weather."));
+    for (const SceneNode& node : m_scene.nodes()) {
+      const auto* model = node.as<ModelNode>();
+      const auto* terrain = node.as<TerrainNode>();
+      if ((model && model->source.empty()) || (terrain && terrain->source.empty()))
+        m_issues.push_back({Severity::Warning, node.id, "source",
+                            tr(QT_TRANSLATE_NOOP("SceneChecks", "No file is chosen for %1."))
+                                .arg(QString::fromStdString(node.name))});
+    }
+  }
+
+  void checkSimulation(const SimulationNode& settings) {
+    if (settings.lastFrame < settings.firstFrame)
+      add(Severity::Error, kSimulationType, "last_frame",
+          QT_TRANSLATE_NOOP("SceneChecks", "The last frame comes before the first one."));
+    if (settings.shedsAboveDegrees <= settings.holdsBelowDegrees)
+      add(Severity::Error, kSimulationType, "sheds_above_deg",
+          QT_TRANSLATE_NOOP("SceneChecks",
+                            "Slopes must shed their snow at a steeper angle than they hold it."));
+  }
+
+  void checkPicture(const RenderNode& picture) {
+    const int n = picture.samples;
+    if (n != 1 && n != 2 && n != 4 && n != 8)
+      add(Severity::Warning, kRenderType, "samples",
+          QT_TRANSLATE_NOOP("SceneChecks", "Samples per pixel should be 1, 2, 4 or 8."));
+  }
+
+  const Scene& m_scene;
+  std::vector<DocumentIssue> m_issues;
+};
+
+}  // namespace
+
+std::vector<DocumentIssue> checkScene(const Scene& scene) {
+  return Checks(scene).run();
+}
+
+}  // namespace spin
