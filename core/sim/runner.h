@@ -39,6 +39,7 @@ struct RunCallbacks {
 struct RunEstimate {
   double memoryBytes = 0.0;  ///< state, its copy for checkpoints, and the frames kept in RAM
   double diskBytes = 0.0;    ///< frames and checkpoints to be written; 0 for a RAM-only store
+  double frameBytes = 0.0;   ///< of one frame
   int framesToCompute = 0;
 };
 RunEstimate estimateRun(const SceneSnapshot& scene, FrameStore& store, const RunOptions& options);

@@ -309,6 +309,7 @@ RunEstimate estimateRun(const SceneSnapshot& scene, FrameStore& store, const Run
     frameBytes += ofFrame;
   }
   const int interval = scene.settings<SimulationNode>(0.0).checkpointInterval;
+  estimate.frameBytes = frameBytes;
   const int frames = estimate.framesToCompute;
   const double kept = std::min(frames * frameBytes, static_cast<double>(store.options().memoryBudget));
   if (frames == 0) return estimate;

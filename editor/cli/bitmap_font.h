@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plugins/sdk/exporter.h"
+
+namespace spin {
+
+/// A small fixed-width letter set (cells of 6 x 10 pixels, ASCII) for captions where no font library is.
+struct BitmapFont {
+  static constexpr int kAdvance = 6;
+  static constexpr int kLineHeight = 11;
+  static constexpr int kGlyphWidth = 5;
+  static constexpr int kGlyphHeight = 9;  ///< the baseline is below row 6
+  /// Whether the glyph of an ASCII character covers (column, row).
+  static bool covers(char c, int column, int row);
+};
+
+/// UTF-8 text in the letters of the font: accents are dropped, the copyright sign becomes "(c)", others "?".
+std::string toFontLetters(const std::string& utf8);
+/// Breaks at blanks so that no line has more than `columns` letters (a longer word is cut).
+std::vector<std::string> wrapText(const std::string& text, int columns);
+
+/// Draws text lines into the lower left corner, white with a dark shadow, sized to the picture's height.
+void drawCaption(ImageFloat& image, const std::vector<std::string>& paragraphs);
+
+}  // namespace spin

@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/cli/job_export.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/nodes/settings_nodes.h"
+#include "core/nodes/terrain_node.h"
+#include "editor/cli/bitmap_font.h"
+#include "editor/render/egl_context.h"
+#include "editor/render/renderer.h"
+#include "plugins/host/plugin_host.h"
+
+namespace spin {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::uint64_t bytesOf(const std::string& path) {
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(path, error);
+  return error ? 0 : size;
+}
+
+}  // namespace
+
+struct JobExport::Pictures {
+  ImageFormat format;
+  ImageWriter* writer = nullptr;
+  std::vector<std::string> files;  ///< names in the folder
+};
+
+struct JobExport::Cache {
+  std::string format;
+  std::unique_ptr<CacheExporter> exporter;
+};
+
+std::string folderOfFormat(const std::string& format) {
+  static const std::map<std::string, std::string> kFolders{
+      {"png8", "images"}, {"ply", "particles"}, {"vtp", "paraview"}, {"cover_tif", "cover"}};
+  const auto found = kFolders.find(format);
+  return found == kFolders.end() ? format : found->second;
+}
+
+FramePointer unwrapAtCamera(const FramePointer& frame, const SceneSnapshot& scene) {
+  const Vec3d eye = cameraOf(scene, frame->info.time.film).position;
+  std::shared_ptr<Frame> copy;
+  for (const auto& [name, part] : frame->parts) {
+    const auto* particles = dynamic_cast<const ParticlePart*>(part.get());
+    if (!particles || particles->particles.wrapBox <= 0.0) continue;
+    auto unwrapped = std::make_shared<ParticlePart>(*particles);
+    ParticleSet& set = unwrapped->particles;
+    for (Vec3f& p : set.positions) p = wrapAround(p.to<double>(), eye, set.wrapBox).to<float>();
+    set.wrapBox = 0.0;
+    if (!copy) copy = std::make_shared<Frame>(*frame);
+    copy->parts[name] = std::move(unwrapped);
+  }
+  return copy ? FramePointer(copy) : frame;
+}
+
+std::vector<std::string> creditLines(const SceneSnapshot& scene) {
+  std::vector<std::string> credits;
+  if (const SceneNode* terrain = scene.first<TerrainNode>()) {
+    const auto* node = terrain->as<TerrainNode>();
+    if (node && !node->credit.empty())
+      credits.push_back(node->credit);
+    else if (scene.terrain && !scene.terrain->credit.empty())
+      credits.push_back(scene.terrain->credit);
+  }
+  return credits;
+}
+
+std::vector<std::string> captionLines(const SceneSnapshot& scene) {
+  const RenderNode render = scene.settings<RenderNode>(0.0);
+  if (!render.showCaption) return {};
+  std::vector<std::string> lines;
+  if (!render.caption.empty()) lines.push_back(render.caption);
+  for (std::string& credit : creditLines(scene)) lines.push_back(std::move(credit));
+  return lines;
+}
+
+JobExport::JobExport(const OpenedScene& opened, const JobOptions& options, FrameRange frames,
+                     const PluginHost& plugins)
+    : m_opened(opened),
+      m_options(options),
+      m_frames(frames),
+      m_plugins(plugins),
+      m_baseName(fs::path(opened.file).stem().string()) {}
+
+JobExport::~JobExport() = default;
+
+Status JobExport::begin() {
+  for (const std::string& format : m_options.formats) {
+    const std::vector<std::string> ids = m_plugins.exporterIds();
+    const bool cache = std::find(ids.begin(), ids.end(), format) != ids.end();
+    if (Status made = cache ? beginCache(format) : beginPictures(format); !made) return made;
+  }
+  if (m_pictures.empty()) return {};
+  Result<std::unique_ptr<EglContext>> context = EglContext::create();
+  if (!context) return context.error();
+  m_context = std::move(*context);
+  m_renderer = std::make_unique<Renderer>();
+  if (Status ready = m_renderer->initialise(); !ready) return ready;
+  m_renderer->setScene(m_opened.snapshot);
+  return {};
+}
+
+Status JobExport::makeFolder(const std::string& format) {
+  const std::string folder = (fs::path(m_options.output) / folderOfFormat(format)).string();
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error) return {};
+  return Error{ErrorKind::Failed, "The output folder could not be made", folder, error.message(),
+               "Choose another folder with --output"};
+}
+
+Status JobExport::beginPictures(const std::string& format) {
+  const std::vector<ImageFormat> known = m_plugins.imageFormats();
+  const auto found =
+      std::find_if(known.begin(), known.end(), [&](const ImageFormat& f) { return f.id == format; });
+  if (found == known.end()) {
+    std::string names;
+    for (const ImageFormat& f : known) names += (names.empty() ? "" : ", ") + f.id;
+    for (const std::string& id : m_plugins.exporterIds()) names += (names.empty() ? "" : ", ") + id;
+    return Error{
+        ErrorKind::Usage, "There is no such format", format, "no plugin writes it",
+        names.empty() ? "No export plugin was found; check the installation" : "Choose one of " + names};
+  }
+  m_pictures.push_back({*found, m_plugins.imageWriter(format), {}});
+  return makeFolder(format);
+}
+
+Status JobExport::beginCache(const std::string& format) {
+  if (Status made = makeFolder(format); !made) return made;
+  Cache cache{format, m_plugins.makeExporter(format)};
+  if (!cache.exporter)
+    return Error{ErrorKind::Failed, "The exporter could not be made", format, "its plugin refused", ""};
+  ExportContext context{m_opened.snapshot, (fs::path(m_options.output) / folderOfFormat(format)).string(),
+                        m_baseName, m_frames.first, m_frames.last};
+  if (Status begun = cache.exporter->begin(context); !begun) return begun;
+  m_caches.push_back(std::move(cache));
+  return {};
+}
+
+std::string JobExport::pathOf(const Pictures& pictures, int frame) const {
+  const std::string name = fmt::format("{}.{:04}.{}", m_baseName, frame, pictures.format.extension);
+  return (fs::path(m_options.output) / folderOfFormat(pictures.format.id) / name).string();
+}
+
+Status JobExport::writePictures(const FramePointer& frame) {
+  const double time = frame->info.time.film;
+  const RenderNode settings = m_opened.snapshot->settings<RenderNode>(time);
+  RenderOptions options;
+  options.width = settings.width;
+  options.height = settings.height;
+  options.showFlakes = settings.showFlakes;
+  ImageFloat image{settings.width, settings.height, {}};
+  {
+    const ScopedStage stage(m_timings, "render");
+    m_renderer->setFrame(frame);
+    Result<std::vector<float>> pixels =
+        m_renderer->drawLinear(cameraOf(*m_opened.snapshot, time), time, options, settings.samples);
+    if (!pixels) return pixels.error();
+    image.rgba = std::move(*pixels);
+  }
+  const std::vector<std::string> caption = captionLines(*m_opened.snapshot);
+  if (!caption.empty()) drawCaption(image, caption);
+  for (Pictures& pictures : m_pictures) {
+    const ScopedStage stage(m_timings, pictures.format.id);
+    const std::string path = pathOf(pictures, frame->info.time.frame);
+    if (Status written = pictures.writer->write(image, pictures.format.id, path); !written) return written;
+    pictures.files.push_back(fs::path(path).filename().string());
+  }
+  return {};
+}
+
+Status JobExport::writeFrame(const FramePointer& frame, const CancelToken& cancel) {
+  const FramePointer unwrapped = unwrapAtCamera(frame, *m_opened.snapshot);
+  for (Cache& cache : m_caches) {
+    if (cancel.cancelled()) break;
+    const ScopedStage stage(m_timings, cache.format);
+    if (!cache.exporter->applies(*unwrapped)) continue;
+    if (Status written = cache.exporter->writeFrame(*unwrapped); !written) return written;
+  }
+  if (cancel.cancelled())
+    return Error{ErrorKind::Cancelled, "The export was cancelled",
+                 fmt::format("frame {}", frame->info.time.frame), "the user stopped it",
+                 "Finished files are kept"};
+  return m_pictures.empty() ? Status() : writePictures(frame);
+}
+
+Status JobExport::finish() {
+  Status status;
+  for (Cache& cache : m_caches)
+    if (Status finished = cache.exporter->finish(); !finished && status) status = finished;
+  return status;
+}
+
+std::vector<WrittenFormat> JobExport::written() const {
+  std::vector<WrittenFormat> all;
+  const auto add = [&](const std::string& format, const std::vector<std::string>& files) {
+    WrittenFormat entry{format, folderOfFormat(format), files.size(), 0};
+    for (const std::string& file : files)
+      entry.bytes += bytesOf((fs::path(m_options.output) / entry.folder / file).string());
+    all.push_back(std::move(entry));
+  };
+  for (const Pictures& pictures : m_pictures) add(pictures.format.id, pictures.files);
+  for (const Cache& cache : m_caches) add(cache.format, cache.exporter->files());
+  return all;
+}
+
+JsonValue JobExport::outputsForManifest() const {
+  std::vector<JsonValue> outputs;
+  const auto add = [&](const std::string& format, const std::vector<std::string>& files,
+                       const std::vector<ExportedAttribute>& attributes) {
+    JsonValue output = JsonValue::object();
+    output.set("format", JsonValue::of(format));
+    output.set("folder", JsonValue::of(folderOfFormat(format)));
+    std::vector<JsonValue> names, columns;
+    for (const std::string& file : files) names.push_back(JsonValue::of(file));
+    for (const ExportedAttribute& attribute : attributes) {
+      JsonValue column = JsonValue::object();
+      column.set("name", JsonValue::of(attribute.name));
+      column.set("unit", JsonValue::of(attribute.unit));
+      column.set("components", JsonValue::of(static_cast<double>(attribute.components)));
+      columns.push_back(std::move(column));
+    }
+    output.set("files", JsonValue::array(std::move(names)));
+    if (!columns.empty()) output.set("attributes", JsonValue::array(std::move(columns)));
+    outputs.push_back(std::move(output));
+  };
+  for (const Pictures& pictures : m_pictures) add(pictures.format.id, pictures.files, {});
+  for (const Cache& cache : m_caches)
+    add(cache.format, cache.exporter->files(), cache.exporter->attributes());
+  return JsonValue::array(std::move(outputs));
+}
+
+std::string JobExport::rendererName() const {
+  return m_context ? m_context->rendererName() : std::string();
+}
+
+}  // namespace spin
