@@ -4,6 +4,8 @@
 
 #include <QWidget>
 
+class QMenu;
+class QToolButton;
 class QTreeView;
 
 namespace spin {
@@ -18,20 +20,29 @@ class OutlinerPanel : public QWidget {
   explicit OutlinerPanel(SceneDocument* document, QWidget* parent = nullptr);
 
   QTreeView* view() const { return m_view; }
+  /// Fills a menu with "add" actions for all types of nodes; also for the main window's menu.
+  void fillAddMenu(QMenu* menu);
+  void removeSelected();
 
  Q_SIGNALS:
   /// Double click on a node: the viewport may frame it.
   void nodeActivated(const std::string& id);
+  /// An edit was refused; for the status bar.
+  void editRefused(const QString& message);
+
+ protected:
+  void changeEvent(QEvent* event) override;
 
  private:
   void showMenu(const QPoint& position);
-  void removeSelected();
   void followDocument();
   void followView();
+  void retranslate();
 
   SceneDocument* m_document;
   NodeListModel* m_model;
   QTreeView* m_view;
+  QToolButton* m_add;
 };
 
 }  // namespace spin

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/models/node_icons.h"
+
+#include <QHash>
+#include <QPainter>
+#include <QPixmap>
+#include <QPolygonF>
+#include <array>
+
+namespace spin {
+namespace {
+
+/// Shapes on a field of 16 x 16.
+using Draw = void (*)(QPainter&);
+
+void polygon(QPainter& p, const QColor& colour, std::initializer_list<QPointF> points) {
+  p.setBrush(colour);
+  p.drawPolygon(QPolygonF(QList<QPointF>(points)));
+}
+
+void mountain(QPainter& p) {
+  polygon(p, QColor(0x6b, 0x7f, 0x59), {{1, 14}, {6, 4}, {9, 9}, {11, 6}, {15, 14}});
+  polygon(p, Qt::white, {{4.5, 7}, {6, 4}, {7.5, 6.6}, {6, 7.6}});
+}
+void house(QPainter& p) {
+  polygon(p, QColor(0x9b, 0x5d, 0x3f), {{3, 8}, {13, 8}, {13, 14}, {3, 14}});
+  polygon(p, QColor(0x7a, 0x3b, 0x2e), {{1, 8}, {8, 2}, {15, 8}});
+}
+void fourColours(QPainter& p) {
+  const std::array<QColor, 4> colours{QColor(0x8a, 0x84, 0x7c), QColor(0x5f, 0x7d, 0x3a),
+                                      QColor(0x6e, 0x4f, 0x33), QColor(0x4b, 0x7c, 0x9b)};
+  for (int i = 0; i < 4; ++i) {
+    p.setBrush(colours[static_cast<std::size_t>(i)]);
+    p.drawRect(2 + 6 * (i % 2), 2 + 6 * (i / 2), 6, 6);
+  }
+}
+void thermometer(QPainter& p) {
+  p.setBrush(Qt::white);
+  p.drawRoundedRect(QRectF(6.5, 1, 3, 10), 1.5, 1.5);
+  p.setBrush(QColor(0xc8, 0x3a, 0x2c));
+  p.drawEllipse(QPointF(8, 12.5), 2.6, 2.6);
+}
+void cloud(QPainter& p) {
+  p.setBrush(QColor(0x9f, 0xb4, 0xc8));
+  p.drawEllipse(QPointF(5.5, 9), 4, 3);
+  p.drawEllipse(QPointF(10.5, 9), 4, 3);
+  p.drawEllipse(QPointF(8, 6.5), 3.6, 3.2);
+}
+void flake(QPainter& p) {
+  p.setPen(QPen(QColor(0x5a, 0x8f, 0xc0), 1.4));
+  p.translate(8, 8);
+  for (int arm = 0; arm < 6; ++arm) {
+    p.drawLine(QPointF(0, 0), QPointF(0, 6.5));
+    p.drawLine(QPointF(0, 4), QPointF(1.8, 5.6));
+    p.drawLine(QPointF(0, 4), QPointF(-1.8, 5.6));
+    p.rotate(60);
+  }
+}
+void camera(QPainter& p) {
+  p.setBrush(QColor(0x4a, 0x4f, 0x57));
+  p.drawRoundedRect(QRectF(1, 5, 10, 7), 1.5, 1.5);
+  polygon(p, QColor(0x4a, 0x4f, 0x57), {{11, 8.5}, {15, 5.5}, {15, 11.5}});
+}
+void picture(QPainter& p) {
+  p.setBrush(QColor(0xcf, 0xe0, 0xee));
+  p.drawRect(QRectF(1.5, 3, 13, 10));
+  polygon(p, QColor(0x6b, 0x7f, 0x59), {{2, 13}, {6, 7}, {9, 10}, {11, 8}, {14, 13}});
+}
+void gear(QPainter& p) {
+  p.translate(8, 8);
+  p.setBrush(QColor(0x70, 0x76, 0x80));
+  for (int tooth = 0; tooth < 8; ++tooth) {
+    p.drawRect(QRectF(-1.3, -7, 2.6, 4));
+    p.rotate(45);
+  }
+  p.drawEllipse(QPointF(0, 0), 5, 5);
+  p.setBrush(Qt::white);
+  p.drawEllipse(QPointF(0, 0), 2, 2);
+}
+
+Draw drawingOf(const QString& type) {
+  static const QHash<QString, Draw> kDrawings{
+      {QStringLiteral("terrain"), mountain},        {QStringLiteral("model"), house},
+      {QStringLiteral("ground_type"), fourColours}, {QStringLiteral("ground_temperature"), thermometer},
+      {QStringLiteral("weather"), cloud},           {QStringLiteral("snowfall"), flake},
+      {QStringLiteral("camera"), camera},           {QStringLiteral("render"), picture},
+      {QStringLiteral("simulation"), gear}};
+  return kDrawings.value(type, gear);
+}
+
+}  // namespace
+
+QIcon nodeIcon(const NodeType& type) {
+  static QHash<QString, QIcon> known;
+  const QString id = QString::fromUtf8(type.id);
+  if (known.contains(id)) return known.value(id);
+  QIcon icon;
+  for (const int size : {16, 32}) {
+    QPixmap pixmap(size, size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.scale(size / 16.0, size / 16.0);
+    drawingOf(id)(painter);
+    icon.addPixmap(pixmap);
+  }
+  known.insert(id, icon);
+  return icon;
+}
+
+}  // namespace spin
