@@ -131,6 +131,21 @@ float rounded(float depth, float inset, float radius) {
   return depth * std::sqrt(1.0f - (1.0f - x) * (1.0f - x));
 }
 
+/// One round of averaging over the mesh's edges where the snow is rounded off: the outline of a patch runs in
+/// steps of whole cells, its snow must not.
+void soften(const PatchCover& patch, std::vector<Vec4f>& snow) {
+  std::vector<Vec2f> around(snow.size());
+  for (std::size_t t = 0; t + 2 < patch.indices.size(); t += 3)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = patch.indices[t + k], b = patch.indices[t + (k + 1) % 3];
+      around[a] = {around[a].x + snow[b].x, around[a].y + 1.0f};
+      around[b] = {around[b].x + snow[a].x, around[b].y + 1.0f};
+    }
+  for (std::size_t v = 0; v < snow.size(); ++v)
+    if (patch.cell[v] >= 0 && patch.inset[v] < 3.0f * patch.cellSize && around[v].y > 0.0f)
+      snow[v].x = 0.5f * (snow[v].x + around[v].x / around[v].y);
+}
+
 }  // namespace
 
 PatchCover makePatchCover(const CoverGrid& grid) {
@@ -145,6 +160,7 @@ std::vector<Vec4f> patchCoverSnow(const PatchCover& patch, const std::vector<flo
     const float d = depth[static_cast<std::size_t>(patch.cell[v])];
     snow[v].x = rounded(d, patch.inset[v], std::max(patch.cellSize, 0.8f * d));
   }
+  soften(patch, snow);
   std::vector<Vec3f> normal(n);
   const auto raised = [&](std::uint32_t v) { return patch.positions[v] + Vec3f{0.0f, 0.0f, snow[v].x}; };
   for (std::size_t t = 0; t + 2 < patch.indices.size(); t += 3) {

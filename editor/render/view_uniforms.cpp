@@ -101,7 +101,7 @@ LightModel lightModel(const SceneSnapshot& scene, double filmTime, double snowSh
   const Vec3d sky = mix(clearSky, greySky, m.cloud * (0.4 + 0.6 * m.cloud));
   const double level = luminance(beam) * up + luminance(sky);
   // A photographer's exposure: level snow comes out bright, dim weather stays a little darker.
-  const double gain = 0.80 * std::pow(std::max(level, 1e-4), -0.88) * std::exp2(picture.exposure);
+  const double gain = 0.90 * std::pow(std::max(level, 1e-4), -0.88) * std::exp2(picture.exposure);
   m.sun = beam * gain;
   m.sky = sky * gain;
   m.bounce = (beam * up + sky) * (gain * (0.12 + 0.55 * snowShare));

@@ -45,7 +45,9 @@ void main() {
 
   // A sprite below the smallest width stands for so many flakes that they fill it, if there are that many.
   float filled = min(uBox.y * size * size / (width * width), 1.0);
-  vOpacity = filled * width / (width + drawn);
+  float crossing = filled * width / (width + drawn);
+  // Drawn out, a flake is thin; of the many that a sprite stands for, up to four are laid over one another.
+  vOpacity = 1.0 - pow(1.0 - min(crossing, 0.999), clamp(uBox.y, 1.0, 4.0));
   vOpacity *= smoothstep(0.3, 1.2, clip.w) * (1.0 - smoothstep(0.75, 1.0, clip.w / range));
   vShape = vec3(0.5 + 0.5 * corner, float(k % 8));
 }

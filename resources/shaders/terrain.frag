@@ -15,7 +15,7 @@ layout(location = 0) out vec4 oColour;
 vec3 groundColour(vec4 ground, vec4 broad, vec4 close, float roughness) {
   // Growth varies more than mineral ground, towards dry straw.
   float growth = smoothstep(0.045, 0.06, roughness);
-  vec3 dry = mix(vec3(1.0), vec3(1.9, 1.45, 1.0), growth * smoothstep(0.42, 0.66, broad.r));
+  vec3 dry = mix(vec3(1.0), vec3(2.3, 1.45, 1.35), growth * smoothstep(0.30, 0.62, 0.6 * broad.r + 0.4 * close.r));
   return ground.rgb * dry * (0.55 + 0.55 * broad.r + 0.45 * close.r) * (0.92 + 0.16 * close.a);
 }
 
@@ -49,6 +49,13 @@ void main() {
 #endif
   float distance = length(vPosition - uEye.xyz);
   vec2 wrinkle = close.gb - 0.5;
+  if (distance < 40.0) {
+    // Close to the eye: tufts, crumbs and the grain of the snow surface.
+    vec4 grain = texture(uNoise, vPosition.xy * (1.0 / 0.83));
+    float near = 1.0 - smoothstep(15.0, 40.0, distance);
+    wrinkle += (grain.gb - 0.5) * (0.55 * near);
+    close.r += (grain.r - 0.5) * (0.9 * near);
+  }
   float coverage = snowCoverage(depth, roughness, clamp(0.30 + 1.6 * (close.r - 0.5) + 0.55 * close.a, 0.0, 1.0));
   vec3 colour = vec3(0.0);
   if (coverage < 0.999) {
