@@ -163,7 +163,7 @@ void TimelineBar::mousePressEvent(QMouseEvent* event) {
     update();
     return;
   }
-  emit frameRequested(frameAt(event->position().x()));
+  Q_EMIT frameRequested(frameAt(event->position().x()));
 }
 
 void TimelineBar::mouseMoveEvent(QMouseEvent* event) {
@@ -173,7 +173,7 @@ void TimelineBar::mouseMoveEvent(QMouseEvent* event) {
     m_dragTo = frame;
     update();
   } else if (frame != m_current) {
-    emit frameRequested(frame);
+    Q_EMIT frameRequested(frame);
   }
 }
 
@@ -183,7 +183,7 @@ void TimelineBar::mouseReleaseEvent(QMouseEvent* event) {
   const int to = m_dragTo;
   m_dragKey = -1;
   update();
-  if (std::abs(from - to) > 1e-6) emit keyMoved(from, to);
+  if (std::abs(from - to) > 1e-6) Q_EMIT keyMoved(from, to);
 }
 
 bool TimelineBar::event(QEvent* event) {

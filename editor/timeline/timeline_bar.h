@@ -33,7 +33,7 @@ class TimelineBar : public QWidget {
   QSize sizeHint() const override { return {600, 46}; }
   QSize minimumSizeHint() const override { return {160, 46}; }
 
- signals:
+ Q_SIGNALS:
   /// The user scrubs to a frame.
   void frameRequested(int frame);
   /// The user dragged the key mark at `from` to a whole frame.

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "editor/timeline/timeline_panel.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -57,7 +56,7 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent), m_bar(new Timel
   connect(&m_timer, &QTimer::timeout, this, &TimelinePanel::playStep);
   m_elapsed.start();
   setFilm(0, 119, 24.0);
-  retranslate();
+  showTexts();
 }
 
 QToolButton* TimelinePanel::addButton(const char* name) {
@@ -80,7 +79,7 @@ void TimelinePanel::setFilm(int first, int last, double frameRate) {
   }
   showTime();
   if (m_playing) restartClock();
-  if (current() != before) emit currentChanged(current());
+  if (current() != before) Q_EMIT currentChanged(current());
 }
 
 void TimelinePanel::setCurrent(int frame) {
@@ -89,7 +88,7 @@ void TimelinePanel::setCurrent(int frame) {
   const QSignalBlocker quiet(m_spin);
   m_spin->setValue(current());
   showTime();
-  if (current() != before) emit currentChanged(current());
+  if (current() != before) Q_EMIT currentChanged(current());
 }
 
 void TimelinePanel::scrubTo(int frame) {
@@ -101,12 +100,12 @@ void TimelinePanel::setPlaying(bool on) {
   if (on == m_playing) return;
   m_playing = on;
   m_play->setIcon(style()->standardIcon(on ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
-  retranslate();
+  showTexts();
   if (on)
     restartClock();
   else
     m_timer.stop();
-  emit playingChanged(on);
+  Q_EMIT playingChanged(on);
 }
 
 void TimelinePanel::restartClock() {
@@ -125,12 +124,7 @@ void TimelinePanel::showTime() {
   m_time->setText(tr("%1 s").arg(locale().toString(current() / std::max(1e-3, m_rate), 'f', 2)));
 }
 
-void TimelinePanel::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) retranslate();
-  QWidget::changeEvent(event);
-}
-
-void TimelinePanel::retranslate() {
+void TimelinePanel::showTexts() {
   m_toFirst->setToolTip(tr("First frame (Home)"));
   m_previous->setToolTip(tr("Previous frame (Left)"));
   m_play->setToolTip(m_playing ? tr("Pause (Space)") : tr("Play (Space)"));

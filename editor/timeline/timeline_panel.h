@@ -28,7 +28,7 @@ class TimelinePanel : public QWidget {
   /// Range (inclusive) and film speed, frames per second.
   void setFilm(int first, int last, double frameRate);
 
- public slots:
+ public Q_SLOTS:
   /// Clamped to the range; tells currentChanged() if it is another frame.
   void setCurrent(int frame);
   void setPlaying(bool on);
@@ -37,12 +37,9 @@ class TimelinePanel : public QWidget {
   void toLast() { scrubTo(m_bar->last()); }
   void stepBy(int frames) { scrubTo(current() + frames); }
 
- signals:
+ Q_SIGNALS:
   void currentChanged(int frame);
   void playingChanged(bool on);
-
- protected:
-  void changeEvent(QEvent* event) override;
 
  private:
   QToolButton* addButton(const char* name);
@@ -50,7 +47,7 @@ class TimelinePanel : public QWidget {
   void playStep();
   void restartClock();
   void showTime();
-  void retranslate();
+  void showTexts();
 
   TimelineBar* m_bar;
   QToolButton* m_toFirst;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "editor/viewport/gl_surface.h"
 
+#include <QCoreApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
@@ -57,6 +58,12 @@ void resetState(QOpenGLExtraFunctions& gl) {
 }
 
 }  // namespace
+
+void setDefaultGlFormat() {
+  // Docks that float and come back get a new context: shared ones keep their textures.
+  QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+  QSurfaceFormat::setDefaultFormat(coreFormat());
+}
 
 bool openGlAvailable() {
   static const bool available = probeOpenGl();
@@ -130,13 +137,13 @@ void GlSurface::initializeGL() {
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlSurface::releaseGl, Qt::DirectConnection);
   QOpenGLExtraFunctions& gl = *context()->extraFunctions();
   m_rendererName = QString::fromUtf8(reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER)));
-  const bool software = m_rendererName.contains("llvmpipe") || m_rendererName.contains("softpipe");
+  const bool software = m_rendererName.contains(QStringLiteral("llvmpipe")) || m_rendererName.contains(QStringLiteral("softpipe"));
   m_samples = software ? 0 : 4;
   m_renderer = std::make_unique<Renderer>();
   const Status status = m_renderer->initialise();
   m_usable = status.ok();
   if (!m_usable) {
-    emit failed(QString::fromStdString(status.error().text()));
+    Q_EMIT failed(QString::fromStdString(status.error().text()));
     return;
   }
   m_sceneIsNew = m_frameIsNew = m_dirty = true;
@@ -212,7 +219,7 @@ void GlSurface::drawScene() {
   m_budget.report(m_moving, std::chrono::duration<double>(end - uploaded).count());
   m_drawnEffort = effort;
   m_dirty = false;
-  emit drawn(m_lastSeconds);
+  Q_EMIT drawn(m_lastSeconds);
 }
 
 void GlSurface::showScene() {

@@ -39,7 +39,7 @@ class GlSurface : public QOpenGLWidget {
   /// GL_RENDERER once the context is there.
   QString rendererName() const { return m_rendererName; }
 
- signals:
+ Q_SIGNALS:
   /// After each picture of the scene.
   void drawn(double seconds);
   /// The driver lacks something; the view stays empty.
@@ -81,6 +81,8 @@ class GlSurface : public QOpenGLWidget {
   QElapsedTimer m_sincePaint;
 };
 
+/// OpenGL 4.5 core for the whole program; to be called before QApplication is made.
+void setDefaultGlFormat();
 /// True where the platform gives an OpenGL 4.5 core context; asked once.
 bool openGlAvailable();
 

@@ -17,15 +17,12 @@ constexpr int kRimPoints = 48;
 
 TiledRaster<std::uint8_t> groundTypeLayer(const SceneSnapshot& scene) {
   const Raster<float>& heights = scene.terrain->heights;
-  GroundType base = GroundTypeLayerNode{}.base;
   for (const SceneNode& node : scene.nodes) {
-    const auto* layer = node.as<GroundTypeLayerNode>();
-    if (!layer) continue;
     const auto* painted = std::get_if<TiledRaster<std::uint8_t>>(&node.painted);
-    if (painted && painted->width() == heights.width && painted->height() == heights.height) return *painted;
-    base = layer->base;
+    const bool fits = painted && painted->width() == heights.width && painted->height() == heights.height;
+    if (fits && node.as<GroundTypeLayerNode>()) return *painted;
   }
-  return {heights.width, heights.height, static_cast<std::uint8_t>(base)};
+  return {heights.width, heights.height, kUnpaintedGround};
 }
 
 void GroundBrush::hover(const ViewportContext& context, Vec2d pixel) {
@@ -49,7 +46,7 @@ bool GroundBrush::begin(const ViewportContext& context, Vec2d pixel) {
   hover(context, pixel);
   if (!m_position) return false;
   m_stroke.emplace(groundTypeLayer(*context.scene), context.scene->terrain->heights, m_radius,
-                   static_cast<std::uint8_t>(m_type));
+                   m_value);
   m_stroke->moveTo({m_position->x, m_position->y});
   return true;
 }

@@ -16,8 +16,9 @@ class GroundBrush {
  public:
   double radius() const { return m_radius; }  ///< m
   void setRadius(double metres) { m_radius = metres; }
-  GroundType type() const { return m_type; }
-  void setType(GroundType type) { m_type = type; }
+  /// Number of a GroundType, or kUnpaintedGround to rub out.
+  std::uint8_t value() const { return m_value; }
+  void setValue(std::uint8_t value) { m_value = value; }
 
   /// Follows the pointer without painting.
   void hover(const ViewportContext& context, Vec2d pixel);
@@ -37,12 +38,12 @@ class GroundBrush {
 
  private:
   double m_radius = 12.0;
-  GroundType m_type = GroundType::Rock;
+  std::uint8_t m_value = static_cast<std::uint8_t>(GroundType::Rock);
   std::optional<Vec3d> m_position;
   std::optional<BrushStroke> m_stroke;
 };
 
-/// The painted ground types of a scene; all base type where nothing is painted yet. Requires terrain.
+/// The painted ground types of a scene; unpainted where there is no layer yet. Requires terrain.
 TiledRaster<std::uint8_t> groundTypeLayer(const SceneSnapshot& scene);
 
 }  // namespace spin

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "editor/viewport/viewport.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QVBoxLayout>
@@ -25,11 +24,11 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
     connect(m_gl, &GlSurface::drawn, this, &Viewport::drawn);
     connect(m_gl, &GlSurface::failed, this, &Viewport::failed);
   } else {
-    m_notice = new QLabel(this);
-    m_notice->setAlignment(Qt::AlignCenter);
-    m_notice->setWordWrap(true);
-    m_notice->setText(tr("No OpenGL 4.5 here, so the scene cannot be drawn. Everything else works."));
-    m_surface = m_notice;
+    auto* notice = new QLabel(this);
+    notice->setAlignment(Qt::AlignCenter);
+    notice->setWordWrap(true);
+    notice->setText(tr("No OpenGL 4.5 here, so the scene cannot be drawn. Everything else works."));
+    m_surface = notice;
   }
   m_surface->setMouseTracking(true);
   m_surface->setFocusPolicy(Qt::StrongFocus);
@@ -104,14 +103,14 @@ void Viewport::setLookThrough(bool on) {
   if (on == m_lookThrough) return;
   m_lookThrough = on;
   refresh();
-  emit lookThroughChanged(on);
+  Q_EMIT lookThroughChanged(on);
 }
 
 void Viewport::setBrushRadius(double metres) {
   if (metres == m_brush.radius()) return;
   m_brush.setRadius(metres);
   updateOverlay();
-  emit brushRadiusChanged(metres);
+  Q_EMIT brushRadiusChanged(metres);
 }
 
 void Viewport::setEmptyHint(const QString& title, const QString& text) {
@@ -194,12 +193,6 @@ void Viewport::paintOverlay(QPainter& painter) const {
     const GizmoHandle active = m_gizmo.dragging() ? m_gizmo.activeHandle() : m_hovered;
     if (pose) paintGizmo(painter, seen.view, *pose, m_gizmo.mode(), active);
   }
-}
-
-void Viewport::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange && m_notice)
-    m_notice->setText(tr("No OpenGL 4.5 here, so the scene cannot be drawn. Everything else works."));
-  QWidget::changeEvent(event);
 }
 
 }  // namespace spin

@@ -9,8 +9,6 @@
 #include "editor/viewport/ground_brush.h"
 #include "editor/viewport/view_navigator.h"
 
-class QLabel;
-
 namespace spin {
 
 class GlSurface;
@@ -58,7 +56,7 @@ class Viewport : public QWidget {
   /// nullptr without OpenGL.
   GlSurface* gl() const { return m_gl; }
 
- signals:
+ Q_SIGNALS:
   /// A click; the id is empty beside everything.
   void nodeClicked(const std::string& id);
   /// The gizmo is dragged: placement of a model node, again and again until editFinished().
@@ -76,7 +74,6 @@ class Viewport : public QWidget {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
-  void changeEvent(QEvent* event) override;
 
  private:
   bool press(const QMouseEvent& event);
@@ -111,7 +108,6 @@ class Viewport : public QWidget {
   QString m_hintTitle, m_hintText;
   QWidget* m_surface = nullptr;
   GlSurface* m_gl = nullptr;
-  QLabel* m_notice = nullptr;
   QTimer m_flight;
   QElapsedTimer m_clock;
 };

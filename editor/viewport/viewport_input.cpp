@@ -63,12 +63,12 @@ bool Viewport::beginEdit(Vec2d pixel) {
   const ViewportContext seen = context();
   if (m_tool == Tool::Brush) {
     if (!m_brush.begin(seen, pixel)) return false;
-    emit editStarted();
-    emit layerPainted(m_brush.layer());
+    Q_EMIT editStarted();
+    Q_EMIT layerPainted(m_brush.layer());
     return true;
   }
   if (m_tool == Tool::Select || !m_gizmo.begin(seen, pixel)) return false;
-  emit editStarted();
+  Q_EMIT editStarted();
   return true;
 }
 
@@ -81,12 +81,12 @@ bool Viewport::move(const QMouseEvent& event) {
   if (m_gizmo.dragging()) {
     const bool snap = event.modifiers().testFlag(Qt::ControlModifier);
     if (m_gl) m_gl->setMoving(true);
-    emit placementEdited(m_gizmo.node(), m_gizmo.drag(context(), pixel, snap));
+    Q_EMIT placementEdited(m_gizmo.node(), m_gizmo.drag(context(), pixel, snap));
     return true;
   }
   if (m_brush.painting()) {
     if (m_gl) m_gl->setMoving(true);
-    if (m_brush.drag(context(), pixel)) emit layerPainted(m_brush.layer());
+    if (m_brush.drag(context(), pixel)) Q_EMIT layerPainted(m_brush.layer());
     updateOverlay();
     return true;
   }
@@ -118,7 +118,7 @@ bool Viewport::release(const QMouseEvent& event) {
   const QPointF travel = event.position() - m_pressed;
   if (m_clicking && travel.manhattanLength() <= kClickPixels && m_tool != Tool::Brush && m_scene) {
     const auto hit = pickScene(*m_scene, m_filmTime, context().view.ray(pixelOf(event.position())));
-    emit nodeClicked(hit ? hit->node : std::string());
+    Q_EMIT nodeClicked(hit ? hit->node : std::string());
   }
   m_clicking = false;
   return true;
@@ -129,7 +129,7 @@ void Viewport::endEdit() {
   m_brush.end();
   if (m_gl) m_gl->setMoving(false);
   updateOverlay();
-  emit editFinished();
+  Q_EMIT editFinished();
 }
 
 bool Viewport::cancelEdit() {
@@ -138,7 +138,7 @@ bool Viewport::cancelEdit() {
   m_brush.end();
   if (m_gl) m_gl->setMoving(false);
   updateOverlay();
-  emit editCancelled();
+  Q_EMIT editCancelled();
   return true;
 }
 

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/app/application.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QTimer>
+
+#include "editor/app/dark_look.h"
+#include "editor/app/languages.h"
+#include "editor/app/main_window.h"
+#include "editor/app/tool_icons.h"
+#include "editor/app/ui_measurement.h"
+#include "editor/viewport/gl_surface.h"
+#include "editor/viewport/viewport.h"
+#include "plugins/host/plugin_host.h"
+
+namespace spin {
+namespace {
+
+constexpr int kPictureDelayMilliseconds = 1500;
+
+struct Options {
+  QStringList files;
+  QString language;
+  QString measureFile;
+  QString pictureFile;
+};
+
+Options parse(const QCoreApplication& application) {
+  const auto text = [](const char* source) {
+    return QCoreApplication::translate("spin::Application", source);
+  };
+  QCommandLineParser parser;
+  parser.setApplicationDescription(
+      text(QT_TRANSLATE_NOOP("spin::Application", "Editor and simulator of winter scenes.")));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  const QCommandLineOption language(
+      QStringLiteral("language"),
+      text(QT_TRANSLATE_NOOP("spin::Application", "Language of the window: en, cs or zh_CN.")),
+      QStringLiteral("code"));
+  const QCommandLineOption measure(
+      QStringLiteral("measure-ui"),
+      text(QT_TRANSLATE_NOOP(
+          "spin::Application",
+          "Simulates, plays and exports the scene, writes how long the window stood still to "
+          "FILE as JSON, and ends.")),
+      QStringLiteral("FILE"));
+  const QCommandLineOption picture(
+      QStringLiteral("screenshot"),
+      text(
+          QT_TRANSLATE_NOOP("spin::Application",
+                            "Writes a picture of the window to FILE once the scene is simulated, and ends.")),
+      QStringLiteral("FILE"));
+  parser.addOptions({language, measure, picture});
+  parser.addPositionalArgument(
+      QStringLiteral("files"),
+      text(QT_TRANSLATE_NOOP("spin::Application", "A scene to open, or terrains and models to import.")),
+      QStringLiteral("[FILE...]"));
+  parser.process(application);
+  return {parser.positionalArguments(), parser.value(language), parser.value(measure), parser.value(picture)};
+}
+
+/// The language must be known before the texts of the options are made.
+QString languageOf(int argc, char** argv) {
+  for (int k = 1; k < argc; ++k) {
+    const QString argument = QString::fromLocal8Bit(argv[k]);
+    if (argument.startsWith(QLatin1String("--language="))) return argument.mid(11);
+    if (argument == QLatin1String("--language") && k + 1 < argc) return QString::fromLocal8Bit(argv[k + 1]);
+  }
+  return {};
+}
+
+void pictureWhenSimulated(MainWindow& window, const QString& file) {
+  const auto save = [&window, file] {
+    QTimer::singleShot(kPictureDelayMilliseconds, &window,
+                       [&window, file] { QCoreApplication::exit(window.grab().save(file) ? 0 : 1); });
+  };
+  QObject::connect(&window.simulation(), &SimulationController::finished, &window, save);
+}
+
+}  // namespace
+
+int runEditor(int argc, char** argv) {
+  setDefaultGlFormat();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("Spindrift"));
+  QApplication::setApplicationName(QStringLiteral("spindrift"));
+  QApplication::setApplicationVersion(QStringLiteral(SPIN_VERSION));
+  QApplication::setWindowIcon(programIcon());
+  const bool known = loadLanguage(application, languageOf(argc, argv));
+  const Options options = parse(application);
+  if (!known && !options.language.isEmpty())
+    qWarning("spindrift: language %s is not there; known are: %s", qPrintable(options.language),
+             qPrintable(availableLanguages().join(QStringLiteral(", "))));
+  applyDarkLook(application);
+
+  MainWindow window(makeHelperAssetReader());
+  window.show();
+  if (!options.measureFile.isEmpty() && !options.files.isEmpty()) {
+    auto* measurement = new UiMeasurement(&window, options.files.front(), options.measureFile);
+    QObject::connect(measurement, &UiMeasurement::done, &application,
+                     [](bool ok) { QCoreApplication::exit(ok ? 0 : 1); });
+    QTimer::singleShot(0, measurement, &UiMeasurement::start);
+    return QApplication::exec();
+  }
+  if (!options.pictureFile.isEmpty()) pictureWhenSimulated(window, options.pictureFile);
+  QTimer::singleShot(0, &window, [&window, &options] {
+    if (options.pictureFile.isEmpty()) window.offerRecovery();
+    for (const QString& file : options.files) window.openOrImport(file);
+  });
+  return QApplication::exec();
+}
+
+}  // namespace spin

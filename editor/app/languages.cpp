@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/app/languages.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+
+namespace spin {
+namespace {
+
+QString folder() {
+  return QCoreApplication::applicationDirPath() + QStringLiteral("/translations");
+}
+
+}  // namespace
+
+QStringList availableLanguages() {
+  QStringList languages{QStringLiteral("en")};
+  for (const QString& name :
+       QDir(folder()).entryList({QStringLiteral("spindrift_*.qm")}, QDir::Files, QDir::Name))
+    languages << name.mid(10).chopped(3);
+  return languages;
+}
+
+bool loadLanguage(QCoreApplication& application, const QString& language) {
+  const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
+  QLocale::setDefault(locale);
+  if (locale.language() == QLocale::English || locale.language() == QLocale::C)
+    return language.isEmpty() || language.startsWith(QStringLiteral("en"));
+  auto* own = new QTranslator(&application);
+  if (!own->load(locale, QStringLiteral("spindrift"), QStringLiteral("_"), folder())) {
+    delete own;
+    return false;
+  }
+  QCoreApplication::installTranslator(own);
+  // Texts of Qt's own dialogs, where the system has them.
+  auto* qt = new QTranslator(&application);
+  if (qt->load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
+               QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+    QCoreApplication::installTranslator(qt);
+  else
+    delete qt;
+  return true;
+}
+
+}  // namespace spin

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QKeySequence>
+#include <QObject>
+#include <functional>
+#include <vector>
+
+class QAction;
+class QActionGroup;
+class QMenu;
+
+namespace spin {
+
+class MainWindow;
+
+/// Menus, shortcuts and the tool bar of the main window. Every action has an object name, by which tests find
+/// it.
+class MainActions : public QObject {
+  Q_OBJECT
+ public:
+  explicit MainActions(MainWindow* window);
+
+  /// For the list of shortcuts: all actions that have one, in menu order.
+  std::vector<QAction*> withShortcuts() const;
+
+ private:
+  using Handler = std::function<void()>;
+  QAction* add(QMenu* menu, const char* name, const QString& text, const QKeySequence& keys,
+               const Handler& handler);
+  QAction* addToggle(QMenu* menu, const char* name, const QString& text, bool on, const QKeySequence& keys,
+                     const std::function<void(bool)>& handler);
+  void addFileMenu();
+  void addEditMenu();
+  void addViewMenu();
+  void addGroundMenu(QMenu* view);
+  void addSimulateMenu();
+  void addHelpMenu();
+  void addTools();
+  void addBrushTools(class QToolBar* bar);
+  void addTransport();
+  void fillNodeMenu();
+  void followSelection();
+  void showShortcuts();
+  void showAbout();
+
+  MainWindow* m_window;
+  QMenu* m_nodeMenu = nullptr;
+  QAction* m_duplicate = nullptr;
+  QAction* m_delete = nullptr;
+  std::vector<QAction*> m_all;
+};
+
+}  // namespace spin

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "editor/app/simulation_controller.h"
+#include "editor/document/scene_document.h"
+#include "editor/document/time_context.h"
+
+namespace spin {
+
+class Autosave;
+class FileFlow;
+class ImportFlow;
+class MainActions;
+class PluginHost;
+class SceneTools;
+class TimelinePanel;
+class Viewport;
+
+/// The window: viewport in the middle, panels round it. It joins the parts; what they do is theirs.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(std::shared_ptr<AssetReader> reader, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  SceneDocument& document() { return *m_document; }
+  TimeContext& time() { return *m_time; }
+  SimulationController& simulation() { return *m_simulation; }
+  Viewport& viewport() { return *m_viewport; }
+  TimelinePanel& timeline() { return *m_timeline; }
+  FileFlow& files() { return *m_files; }
+  ImportFlow& imports() { return *m_imports; }
+  SceneTools& tools() { return *m_tools; }
+  MainActions& actions() { return *m_actions; }
+
+  /// Opens a scene file or imports a terrain or model, by its ending.
+  void openOrImport(const QString& path);
+  /// Offers what an earlier run did not save. Does nothing if there is nothing.
+  void offerRecovery();
+  void showExportDialog();
+  void resetLayout();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void addDocks();
+  void joinTimeline();
+  void joinViewport();
+  void showTitle();
+  void showMessage(const QString& text);
+  void updateFilm();
+  void updateKeys();
+  void firstLook(const SnapshotPointer& snapshot);
+  void restoreLayout();
+  void saveLayout();
+
+  SceneDocument* m_document;
+  TimeContext* m_time;
+  Viewport* m_viewport;
+  SimulationController* m_simulation;
+  TimelinePanel* m_timeline;
+  SceneTools* m_tools;
+  FileFlow* m_files;
+  ImportFlow* m_imports;
+  Autosave* m_autosave;
+  MainActions* m_actions = nullptr;
+  std::unique_ptr<PluginHost> m_plugins;
+  QByteArray m_defaultLayout;
+  bool m_lookWanted = true;  ///< the next scene with a place moves the view there
+};
+
+}  // namespace spin

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/app/scene_tools.h"
+
+#include <set>
+
+#include "core/nodes/camera_node.h"
+#include "core/nodes/terrain_node.h"
+#include "editor/document/time_context.h"
+
+namespace spin {
+
+SceneTools::SceneTools(SceneDocument* document, TimeContext* time, Viewport* viewport, QObject* parent)
+    : QObject(parent), m_document(document), m_time(time), m_viewport(viewport) {
+  connect(viewport, &Viewport::nodeClicked, document, &SceneDocument::select);
+  connect(viewport, &Viewport::editStarted, this, &SceneTools::begin);
+  connect(viewport, &Viewport::placementEdited, this, &SceneTools::place);
+  connect(viewport, &Viewport::layerPainted, this, &SceneTools::paint);
+  connect(viewport, &Viewport::editFinished, this, &SceneTools::finish);
+  connect(viewport, &Viewport::editCancelled, this, &SceneTools::cancel);
+}
+
+void SceneTools::begin() {
+  m_session = edit::newSession();
+  m_indexBefore = m_document->undoStack()->index();
+}
+
+void SceneTools::place(const std::string& id, const GizmoPlacement& placement) {
+  edit::PropertyValues values;
+  switch (m_viewport->gizmo().mode()) {
+    case GizmoMode::Move:
+      values.emplace_back("position_m", placement.position);
+      break;
+    case GizmoMode::Rotate:
+      values.emplace_back("rotation_deg", placement.rotationDegrees);
+      break;
+    case GizmoMode::Scale:
+      values.emplace_back("scale", placement.scale);
+      break;
+  }
+  report(edit::setValueAt(*m_document, id, values, m_time->filmTime(), m_session));
+}
+
+void SceneTools::paint(const TiledRaster<std::uint8_t>& layer) {
+  if (m_document->isLoadingLayers()) {
+    Q_EMIT message(tr("The painted layers are still being read."));
+    return;
+  }
+  const SceneNode* node = m_document->scene().firstOf(kGroundTypeLayerType);
+  std::string id = node ? node->id : std::string();
+  if (!node) {
+    // The new layer and its first stroke are one undo step.
+    m_document->undoStack()->beginMacro(tr("Paint ground"));
+    m_macro = true;
+    const std::string selected = m_document->selected();
+    const Result<std::string> added = edit::addNode(*m_document, kGroundTypeLayerType, tr("Ground types"));
+    m_document->select(selected);
+    if (!added.ok()) {
+      Q_EMIT message(QString::fromStdString(added.error().text()));
+      return;
+    }
+    id = *added;
+  }
+  report(edit::paint(*m_document, id, layer, m_session));
+}
+
+void SceneTools::finish() {
+  if (m_macro) m_document->undoStack()->endMacro();
+  m_macro = false;
+  m_session = 0;
+}
+
+void SceneTools::cancel() {
+  finish();
+  if (m_document->undoStack()->index() > m_indexBefore) m_document->undoStack()->undo();
+}
+
+void SceneTools::report(const Status& status) {
+  if (!status.ok()) Q_EMIT message(QString::fromStdString(status.error().text()));
+}
+
+void SceneTools::cameraFromView() {
+  const RenderCamera view = m_viewport->camera();
+  const SceneNode* node = m_document->scene().firstOf(kCameraType);
+  std::string id = node ? node->id : std::string();
+  m_document->undoStack()->beginMacro(tr("Set camera from view"));
+  if (!node) {
+    const Result<std::string> added = edit::addNode(*m_document, kCameraType, tr("Camera"));
+    if (added.ok()) id = *added;
+  }
+  report(edit::setValueAt(
+      *m_document, id,
+      {{"position_m", view.position}, {"target_m", view.target}, {"fov_deg", view.fovDegrees}},
+      m_time->filmTime()));
+  m_document->undoStack()->endMacro();
+}
+
+void SceneTools::setKeys() {
+  const SceneNode* node = m_document->node(m_document->selected());
+  if (!node) {
+    Q_EMIT message(tr("Select a node first: keys are set on its animated properties."));
+    return;
+  }
+  std::vector<std::string> properties;
+  for (const auto& [property, curve] : node->curves) properties.push_back(property);
+  if (properties.empty() && node->as<ModelNode>()) properties = {"position_m", "rotation_deg", "scale"};
+  if (properties.empty() && node->as<CameraNode>()) properties = {"position_m", "target_m"};
+  if (properties.empty()) {
+    Q_EMIT message(tr("Nothing of this node is animated yet: use the key buttons beside its properties."));
+    return;
+  }
+  const double time = m_time->filmTime();
+  const std::string id = node->id;
+  m_document->undoStack()->beginMacro(tr("Set keys"));
+  for (const std::string& property : properties) {
+    const SceneNode* current = m_document->node(id);
+    const PropertyInfo* info = current->type->find(property);
+    if (info) report(edit::setKey(*m_document, id, property, time, valueAt(*current, *info, time)));
+  }
+  m_document->undoStack()->endMacro();
+}
+
+void SceneTools::moveKeys(double fromFrame, int toFrame) {
+  const double rate = m_time->frameRate();
+  report(edit::moveKeys(*m_document, m_document->selected(), fromFrame / rate, toFrame / rate));
+}
+
+std::vector<double> SceneTools::keyFrames() const {
+  std::set<double> frames;
+  if (const SceneNode* node = m_document->node(m_document->selected()))
+    for (const auto& [property, curve] : node->curves)
+      for (const Key& key : curve.keys()) frames.insert(key.time * m_time->frameRate());
+  return {frames.begin(), frames.end()};
+}
+
+}  // namespace spin

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/app/simulation_controller.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <algorithm>
+#include <thread>
+
+#include "core/nodes/settings_nodes.h"
+#include "core/sim/runner.h"
+#include "editor/document/scene_document.h"
+#include "editor/document/time_context.h"
+#ifdef SPIN_HAVE_EMBREE
+#include "core/raycast/embree_ray_scene.h"
+#endif
+
+namespace spin {
+namespace {
+
+constexpr int kStatesMilliseconds = 100;
+
+bool has(Affects value, Affects part) {
+  return (static_cast<int>(value) & static_cast<int>(part)) != 0;
+}
+
+RunOptions runOptions(int lastFrame) {
+  RunOptions options;
+  options.lastFrame = lastFrame;
+  // One core stays free for the window.
+  options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
+#ifdef SPIN_HAVE_EMBREE
+  options.makeRayScene = makeEmbreeRayScene;
+#endif
+  return options;
+}
+
+}  // namespace
+
+SimulationController::SimulationController(SceneDocument* document, TimeContext* time, QObject* parent)
+    : QObject(parent), m_document(document), m_time(time), m_runner(std::make_unique<Runner>()) {
+  m_cleaner.setMaxThreadCount(1);
+  m_debounce.setSingleShot(true);
+  m_debounce.setInterval(kDebounceMilliseconds);
+  connect(&m_debounce, &QTimer::timeout, this, &SimulationController::readScene);
+  m_statesTimer.setSingleShot(true);
+  m_statesTimer.setInterval(kStatesMilliseconds);
+  connect(&m_statesTimer, &QTimer::timeout, this, &SimulationController::statesChanged);
+  connect(document, &SceneDocument::changed, this, &SimulationController::follow);
+  connect(document, &SceneDocument::pathChanged, this, &SimulationController::openStore);
+  connect(time, &TimeContext::frameChanged, this, &SimulationController::fetch);
+  connect(&m_maker, &SnapshotMaker::ready, this, &SimulationController::takeSnapshot);
+  connect(&m_fetcher, &FrameFetcher::fetched, this, [this](int, const FramePointer& frame) {
+    m_shown = frame;
+    Q_EMIT frameShown(frame);
+  });
+  openStore();
+}
+
+SimulationController::~SimulationController() {
+  m_runner->cancel();
+  m_runner->wait();
+  m_cleaner.waitForDone();
+}
+
+QString SimulationController::cacheFolderOf(const QString& scenePath) {
+  if (scenePath.isEmpty()) return {};
+  const QFileInfo file(scenePath);
+  const QString folder = file.absoluteDir().filePath(file.completeBaseName() + QStringLiteral(".cache"));
+  // Beside a scene that lies where nobody may write, frames live in memory only.
+  const QFileInfo parent(file.absolutePath());
+  return QFileInfo(folder).isWritable() || parent.isWritable() ? folder : QString();
+}
+
+QString SimulationController::cacheFolder() const {
+  return cacheFolderOf(m_document->path());
+}
+
+QString SimulationController::deviceName() const {
+  return QString::fromStdString(backendName("auto"));
+}
+
+void SimulationController::openStore() {
+  const std::string folder = cacheFolder().toStdString();
+  if (m_store && m_store->options().directory == folder) return;
+  m_runner->cancel();
+  FrameStoreOptions options;
+  options.directory = folder;
+  m_store = std::make_shared<FrameStore>(options);
+  m_shown = nullptr;
+  Q_EMIT frameShown(nullptr);
+  Q_EMIT statesChanged();
+  m_runWanted = m_automatic;
+  m_debounce.start();
+}
+
+void SimulationController::setAutomatic(bool on) {
+  m_automatic = on;
+  if (on) start();
+}
+
+void SimulationController::start() {
+  m_runWanted = true;
+  m_debounce.start(0);
+}
+
+void SimulationController::stop() {
+  m_runWanted = false;
+  m_runner->cancel();
+}
+
+void SimulationController::follow(const ChangeEvent& event) {
+  if (event.kind == ChangeKind::Moved || event.kind == ChangeKind::Renamed) return;
+  if (event.kind == ChangeKind::Reset) m_snapshot = nullptr;
+  showLive();
+  const SceneNode* node = m_document->node(event.node);
+  const bool settings = node && node->as<SimulationNode>();
+  const bool property = event.kind == ChangeKind::Property;
+  if (property && !settings && !has(event.affects, Affects::Simulation)) return;
+  if (m_automatic) m_runWanted = true;
+  m_debounce.start(kDebounceMilliseconds);
+}
+
+void SimulationController::showLive() {
+  // The nodes as they are now over the files as they were read last: an edit is seen at once.
+  auto live = m_snapshot ? std::make_shared<SceneSnapshot>(*m_snapshot) : std::make_shared<SceneSnapshot>();
+  live->nodes = m_document->scene().nodes();
+  m_snapshot = live;
+  Q_EMIT snapshotChanged(m_snapshot);
+}
+
+void SimulationController::readScene() {
+  setState(State::Reading);
+  m_maker.request(m_document->assets(), m_document->scene(), m_document->path().toStdString());
+}
+
+void SimulationController::takeSnapshot(const SnapshotPointer& snapshot,
+                                        const std::vector<AssetLibrary::Issue>& issues) {
+  std::vector<DocumentIssue> found;
+  for (const AssetLibrary::Issue& issue : issues) found.push_back(issueOf(issue.error, issue.node));
+  m_document->setIssues(QStringLiteral("assets"), std::move(found));
+  if (!snapshot) {
+    setState(State::Failed);
+    return;
+  }
+  m_snapshot = snapshot;
+  Q_EMIT snapshotChanged(m_snapshot);
+  setState(State::Idle);
+  if (m_runWanted) run();
+}
+
+int SimulationController::lastFrame() const {
+  return m_snapshot ? m_snapshot->settings<SimulationNode>(0.0).lastFrame : 0;
+}
+
+void SimulationController::run() {
+  const quint64 number = ++m_run;
+  RunCallbacks callbacks;
+  callbacks.progress = [this, number](const RunProgress& progress) {
+    const SimulationProgress told{progress.frame, progress.lastFrame, progress.fractionDone,
+                                  progress.secondsLeft, progress.timings.table()};
+    QMetaObject::invokeMethod(this, [this, number, told] {
+      if (number == m_run && m_state == State::Running) Q_EMIT progressed(told);
+    });
+  };
+  callbacks.frameReady = [this](const FramePointer& frame) {
+    QMetaObject::invokeMethod(this, [this, n = frame->info.time.frame] { frameReady(n); });
+  };
+  setState(State::Running);
+  m_runner->start(m_snapshot, m_store, runOptions(lastFrame()), std::move(callbacks),
+                  [this, number](const Status& status) {
+                    QMetaObject::invokeMethod(this, [this, number, status] { runFinished(status, number); });
+                  });
+  m_statesTimer.start();
+}
+
+void SimulationController::frameReady(int frame) {
+  if (!m_statesTimer.isActive()) m_statesTimer.start();
+  const bool exact = m_shown && m_shown->info.time.frame == m_time->frame();
+  if (frame == m_time->frame() || !exact) fetch();
+}
+
+void SimulationController::runFinished(const Status& status, quint64 number) {
+  if (number != m_run) return;
+  Q_EMIT statesChanged();
+  fetch();
+  const bool cancelled = !status.ok() && status.error().kind == ErrorKind::Cancelled;
+  if (m_state == State::Running) setState(status.ok() || cancelled ? State::Idle : State::Failed);
+  reportRunError(status);
+}
+
+void SimulationController::reportRunError(const Status& status) {
+  std::vector<DocumentIssue> issues;
+  QString text;
+  if (!status.ok() && status.error().kind != ErrorKind::Cancelled) {
+    issues.push_back(issueOf(status.error(), {}));
+    text = QString::fromStdString(status.error().text());
+  } else if (!status.ok()) {
+    text = tr("Simulation stopped.");
+  }
+  m_document->setIssues(QStringLiteral("simulation"), std::move(issues));
+  Q_EMIT finished(text);
+}
+
+void SimulationController::fetch() {
+  m_fetcher.request(m_store, m_time->frame());
+}
+
+std::vector<FrameState> SimulationController::frameStates() const {
+  return m_store->states(lastFrame() + 1);
+}
+
+FrameStore::Usage SimulationController::usage() const {
+  return m_store->usage();
+}
+
+void SimulationController::purgeStale() {
+  m_cleaner.start([this, store = m_store] {
+    const Status status = store->purgeStale();
+    QMetaObject::invokeMethod(this, [this, status] {
+      Q_EMIT message(status.ok() ? tr("Stale frames deleted.")
+                                 : QString::fromStdString(status.error().text()));
+      Q_EMIT statesChanged();
+    });
+  });
+}
+
+void SimulationController::setState(State state) {
+  if (state == m_state) return;
+  m_state = state;
+  Q_EMIT stateChanged(state);
+}
+
+}  // namespace spin

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <memory>
+
+#include "core/base/timings.h"
+#include "editor/app/frame_fetcher.h"
+#include "editor/app/snapshot_maker.h"
+#include "editor/document/change_event.h"
+
+namespace spin {
+
+class Runner;
+class SceneDocument;
+class TimeContext;
+
+/// How far the run is, for the status bar.
+struct SimulationProgress {
+  int frame = 0;
+  int lastFrame = 0;
+  double fractionDone = 0.0;
+  double secondsLeft = -1.0;       ///< < 0 = not known yet
+  std::vector<StageTime> timings;  ///< of the run so far
+};
+
+/// Simulates the document in the background. After an edit it freezes the scene again and, where the edit
+/// affects the simulation, runs anew from the last frame that still holds. Gives the frames to show.
+class SimulationController : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr int kDebounceMilliseconds = 300;
+  enum class State { Idle, Reading, Running, Failed };
+
+  SimulationController(SceneDocument* document, TimeContext* time, QObject* parent = nullptr);
+  ~SimulationController() override;
+
+  State state() const { return m_state; }
+  /// Simulates by itself after edits; otherwise only on start().
+  bool automatic() const { return m_automatic; }
+  void setAutomatic(bool on);
+  /// The scene as drawn now; null before the first one is read.
+  const SnapshotPointer& snapshot() const { return m_snapshot; }
+  FramePointer shownFrame() const { return m_shown; }
+  std::vector<FrameState> frameStates() const;
+  FrameStore::Usage usage() const;
+  /// Folder of the cache, empty for scenes that were never saved (they live in memory).
+  QString cacheFolder() const;
+  static QString cacheFolderOf(const QString& scenePath);
+  /// "cpu-avx512" and so on.
+  QString deviceName() const;
+
+ public Q_SLOTS:
+  void start();
+  void stop();
+  /// Deletes stale frames from disk on a thread; the user asked for it.
+  void purgeStale();
+
+ Q_SIGNALS:
+  void stateChanged(spin::SimulationController::State state);
+  /// A new picture of the scene: at once after an edit, and again when files were read.
+  void snapshotChanged(const spin::SnapshotPointer& snapshot);
+  void frameShown(const spin::FramePointer& frame);
+  void statesChanged();
+  void progressed(const spin::SimulationProgress& progress);
+  /// The run ended by itself; message is empty when all went well.
+  void finished(const QString& message);
+  void message(const QString& text);
+
+ private:
+  void follow(const ChangeEvent& event);
+  void showLive();
+  void takeSnapshot(const SnapshotPointer& snapshot, const std::vector<AssetLibrary::Issue>& issues);
+  void readScene();
+  void openStore();
+  void run();
+  void frameReady(int frame);
+  void runFinished(const Status& status, quint64 number);
+  void fetch();
+  void setState(State state);
+  void reportRunError(const Status& status);
+  int lastFrame() const;
+
+  SceneDocument* m_document;
+  TimeContext* m_time;
+  SnapshotMaker m_maker;
+  FrameFetcher m_fetcher;
+  QThreadPool m_cleaner;
+  std::shared_ptr<FrameStore> m_store;
+  SnapshotPointer m_snapshot;
+  FramePointer m_shown;
+  QTimer m_debounce;
+  QTimer m_statesTimer;
+  State m_state = State::Idle;
+  bool m_automatic = true;
+  bool m_runWanted = true;
+  quint64 m_run = 0;
+  /// Last, so that its thread ends before what its callbacks use.
+  std::unique_ptr<Runner> m_runner;
+};
+
+}  // namespace spin

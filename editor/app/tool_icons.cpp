@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/app/tool_icons.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <QPixmap>
+
+namespace spin {
+namespace {
+
+constexpr int kSide = 64;  // drawn in units of a 32 x 32 grid
+
+void drawSelect(QPainter& painter) {
+  painter.setBrush(painter.pen().color());
+  painter.drawPolygon(QPolygonF({{9, 5}, {9, 26}, {14, 21}, {18, 28}, {21, 26}, {17, 19}, {24, 19}}));
+}
+
+void drawMove(QPainter& painter) {
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    painter.drawLine(QPointF(16, 16), QPointF(16, 6));
+    painter.drawPolyline(QPolygonF({{12, 9}, {16, 5}, {20, 9}}));
+    painter.translate(16, 16);
+    painter.rotate(90);
+    painter.translate(-16, -16);
+  }
+}
+
+void drawRotate(QPainter& painter) {
+  painter.drawArc(QRectF(6, 6, 20, 20), 40 * 16, 290 * 16);
+  painter.drawPolyline(QPolygonF({{19, 8.5}, {24.5, 9.5}, {25, 4}}));
+}
+
+void drawScale(QPainter& painter) {
+  painter.drawRect(QRectF(6, 18, 8, 8));
+  painter.drawLine(QPointF(15, 17), QPointF(25, 7));
+  painter.drawPolyline(QPolygonF({{18, 6.5}, {25.5, 6.5}, {25.5, 14}}));
+}
+
+void drawBrush(QPainter& painter) {
+  painter.drawLine(QPointF(25, 6), QPointF(15, 17));
+  painter.setBrush(painter.pen().color());
+  QPainterPath head;
+  head.moveTo(16, 16);
+  head.cubicTo(18, 24, 12, 27, 6, 26);
+  head.cubicTo(10, 24, 8, 18, 16, 16);
+  painter.drawPath(head);
+}
+
+}  // namespace
+
+QIcon toolIcon(Viewport::Tool tool, const QColor& colour) {
+  QPixmap pixmap(kSide, kSide);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.scale(kSide / 32.0, kSide / 32.0);
+  painter.setPen(QPen(colour, 2.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  switch (tool) {
+    case Viewport::Tool::Select:
+      drawSelect(painter);
+      break;
+    case Viewport::Tool::Move:
+      drawMove(painter);
+      break;
+    case Viewport::Tool::Rotate:
+      drawRotate(painter);
+      break;
+    case Viewport::Tool::Scale:
+      drawScale(painter);
+      break;
+    case Viewport::Tool::Brush:
+      drawBrush(painter);
+      break;
+  }
+  return QIcon(pixmap);
+}
+
+QIcon programIcon() {
+  QPixmap pixmap(kSide, kSide);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.scale(kSide / 32.0, kSide / 32.0);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(48, 92, 132));
+  painter.drawRoundedRect(QRectF(1, 1, 30, 30), 7, 7);
+  painter.setBrush(QColor(236, 243, 250));
+  painter.drawPolygon(QPolygonF({{3, 27}, {13, 13}, {18, 19}, {22, 15}, {29, 27}}));
+  for (const QPointF& flake :
+       {QPointF(8, 8), QPointF(16, 6), QPointF(24, 9), QPointF(20, 12), QPointF(7, 15)})
+    painter.drawEllipse(flake, 1.4, 1.4);
+  return QIcon(pixmap);
+}
+
+}  // namespace spin

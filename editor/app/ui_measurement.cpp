@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/app/ui_measurement.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <algorithm>
+#include <numeric>
+
+#include "editor/app/main_window.h"
+#include "editor/timeline/timeline_panel.h"
+#include "editor/viewport/gl_surface.h"
+#include "editor/viewport/orbit_camera.h"
+#include "editor/viewport/viewport.h"
+
+namespace spin {
+namespace {
+
+constexpr int kPlayMilliseconds = 6000;
+constexpr int kTurnMilliseconds = 100;
+constexpr double kTurnPixels = 3.0;
+constexpr int kViewWidth = 1280, kViewHeight = 720;
+
+double percentile(std::vector<double> values, double share) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+}  // namespace
+
+UiMeasurement::UiMeasurement(MainWindow* window, const QString& scene, const QString& reportFile)
+    : QObject(window), m_window(window), m_scene(scene), m_reportFile(reportFile) {
+  m_turn.setInterval(kTurnMilliseconds);
+  m_play.setSingleShot(true);
+  m_play.setInterval(kPlayMilliseconds);
+  connect(&m_turn, &QTimer::timeout, this, &UiMeasurement::turnView);
+  connect(&m_play, &QTimer::timeout, this, [this] {
+    m_window->timeline().setPlaying(false);
+    endPhase();
+    begin(Phase::Export);
+  });
+  connect(&window->viewport(), &Viewport::drawn, this, [this](double seconds) {
+    if (!m_figures.empty()) m_figures.back().drawSeconds.push_back(seconds);
+  });
+  connect(&window->simulation(), &SimulationController::finished, this, [this](const QString& problem) {
+    if (m_phase != Phase::Simulate) return;
+    endPhase();
+    if (!problem.isEmpty()) return write(false);
+    begin(Phase::Play);
+  });
+  connect(&m_export, &ExportJob::finished, this, [this](bool ok, bool, const QString& message) {
+    endPhase();
+    if (!ok) qWarning("%s", qPrintable(message));
+    write(ok);
+  });
+}
+
+void UiMeasurement::start() {
+  // The viewport gets the size that figures are compared at.
+  const QSize around = m_window->size() - m_window->viewport().size();
+  m_window->resize(around + QSize(kViewWidth, kViewHeight));
+  begin(Phase::Simulate);
+  m_window->openOrImport(m_scene);
+}
+
+void UiMeasurement::begin(Phase phase) {
+  static const char* const kNames[] = {"simulate", "play", "export"};
+  m_phase = phase;
+  m_figures.push_back({QString::fromLatin1(kNames[static_cast<int>(phase)]), 0.0, 0.0, {}});
+  m_elapsed.start();
+  m_watchdog.restart();
+  m_turn.start();
+  if (phase == Phase::Play) {
+    m_window->timeline().setPlaying(true);
+    m_play.start();
+  }
+  if (phase == Phase::Export) startExport();
+}
+
+void UiMeasurement::startExport() {
+  ExportPlan plan;
+  plan.scene = m_window->document().path();
+  plan.formats = QStringList{QStringLiteral("png8"), QStringLiteral("ply"), QStringLiteral("vtp"),
+                             QStringLiteral("cover_tif")};
+  plan.firstFrame = m_window->timeline().bar()->first();
+  plan.lastFrame = m_window->timeline().bar()->last();
+  plan.folder = m_folder.path();
+  m_export.start(plan);
+}
+
+void UiMeasurement::endPhase() {
+  m_figures.back().seconds = static_cast<double>(m_elapsed.nsecsElapsed()) * 1e-9;
+  m_figures.back().longestBlock = m_watchdog.longestBlockSeconds();
+  m_turn.stop();
+}
+
+void UiMeasurement::turnView() {
+  OrbitCamera camera = OrbitCamera::from(m_window->viewport().camera());
+  camera.orbit(kTurnPixels, 0.0);
+  m_window->viewport().setCamera(camera.camera());
+}
+
+void UiMeasurement::write(bool ok) {
+  m_phase = Phase::Done;
+  QJsonArray phases;
+  for (const Figures& figures : m_figures) {
+    const auto& drawn = figures.drawSeconds;
+    const double sum = std::accumulate(drawn.begin(), drawn.end(), 0.0);
+    phases.append(QJsonObject{
+        {QStringLiteral("phase"), figures.name},
+        {QStringLiteral("seconds"), figures.seconds},
+        {QStringLiteral("longest_block_ms"), figures.longestBlock * 1e3},
+        {QStringLiteral("pictures"), static_cast<qint64>(drawn.size())},
+        {QStringLiteral("picture_mean_ms"),
+         drawn.empty() ? 0.0 : sum / static_cast<double>(drawn.size()) * 1e3},
+        {QStringLiteral("picture_median_ms"), percentile(drawn, 0.5) * 1e3},
+        {QStringLiteral("picture_95_ms"), percentile(drawn, 0.95) * 1e3},
+    });
+  }
+  const GlSurface* gl = m_window->viewport().gl();
+  const QSize size = m_window->viewport().size();
+  const QJsonObject report{{QStringLiteral("ok"), ok},
+                           {QStringLiteral("width_px"), size.width()},
+                           {QStringLiteral("height_px"), size.height()},
+                           {QStringLiteral("renderer"), gl ? gl->rendererName() : QString()},
+                           {QStringLiteral("device"), m_window->simulation().deviceName()},
+                           {QStringLiteral("phases"), phases}};
+  QFile file(m_reportFile);
+  const bool written = file.open(QIODevice::WriteOnly) && file.write(QJsonDocument(report).toJson()) > 0;
+  Q_EMIT done(ok && written);
+}
+
+}  // namespace spin
