@@ -3,12 +3,10 @@
 #pragma once
 
 #include <QWidget>
-#include <memory>
 #include <vector>
 
 #include "editor/document/change_event.h"
 
-class QFormLayout;
 class QLabel;
 class QScrollArea;
 
@@ -33,8 +31,12 @@ class PropertyPanel : public QWidget {
   /// An edit was refused; for the status bar.
   void editRefused(const QString& message);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   void showNode(const std::string& id);
+  void showTitle();
   void follow(const ChangeEvent& event);
   void refreshRows();
   void revealProperty(const std::string& node, const std::string& property);

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/panels/number_editors.h"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <algorithm>
+#include <cmath>
+
+#include "editor/panels/unit_spin_box.h"
+
+namespace spin {
+namespace {
+
+constexpr int kSliderSteps = 1000;
+
+}  // namespace
+
+bool wantsSlider(const PropertyInfo& property) {
+  const bool number = property.kind == PropertyKind::Int || property.kind == PropertyKind::Real;
+  return number && property.step > 0.0 && (property.max - property.min) / property.step <= kSliderSteps;
+}
+
+NumberEditor::NumberEditor(const PropertyInfo& property, QWidget* parent)
+    : ValueEditor(parent), m_property(property), m_spin(new UnitSpinBox(property, this)) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  if (wantsSlider(property)) {
+    m_slider = new QSlider(Qt::Horizontal, this);
+    m_slider->setObjectName(QStringLiteral("slider"));
+    m_slider->setRange(0, static_cast<int>(std::lround((property.max - property.min) / property.step)));
+    m_slider->setFocusPolicy(Qt::StrongFocus);
+    layout->addWidget(m_slider, 1);
+    connect(m_slider, &QSlider::valueChanged, this, &NumberEditor::slide);
+    connect(m_slider, &QSlider::sliderReleased, this, &ValueEditor::released);
+  }
+  m_spin->setObjectName(QStringLiteral("number"));
+  layout->addWidget(m_spin, m_slider ? 0 : 1);
+  setFocusProxy(m_spin);
+  connect(m_spin, &UnitSpinBox::valueChanged, this, [this] { Q_EMIT edited(valueOf(m_spin->si()), true); });
+  connect(m_spin, &UnitSpinBox::editingFinished, this, &ValueEditor::released);
+}
+
+void NumberEditor::show(const Value& value) {
+  const auto* integer = std::get_if<std::int64_t>(&value);
+  const double si = integer ? static_cast<double>(*integer) : std::get<double>(value);
+  m_spin->showSi(si);
+  showOnSlider(si);
+}
+
+void NumberEditor::showOnSlider(double si) {
+  if (!m_slider || m_slider->isSliderDown()) return;
+  const QSignalBlocker quiet(m_slider);
+  m_slider->setValue(static_cast<int>(std::lround((si - m_property.min) / m_property.step)));
+}
+
+void NumberEditor::slide(int position) {
+  const double si = std::min(m_property.max, m_property.min + position * m_property.step);
+  m_spin->showSi(si);
+  Q_EMIT edited(valueOf(si), true);
+}
+
+Value NumberEditor::valueOf(double si) const {
+  if (m_property.kind == PropertyKind::Int) return static_cast<std::int64_t>(std::llround(si));
+  return si;
+}
+
+VectorEditor::VectorEditor(const PropertyInfo& property, QWidget* parent) : ValueEditor(parent) {
+  static constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    UnitSpinBox* spin = m_spins[axis] = new UnitSpinBox(property, this);
+    spin->setObjectName(QString::fromUtf8(kAxes[axis]));
+    spin->setAccessibleName(QString::fromUtf8(kAxes[axis]));
+    spin->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    layout->addWidget(spin, 1);
+    connect(spin, &UnitSpinBox::valueChanged, this, [this] {
+      Q_EMIT edited(Vec3d{m_spins[0]->si(), m_spins[1]->si(), m_spins[2]->si()}, true);
+    });
+    connect(spin, &UnitSpinBox::editingFinished, this, &ValueEditor::released);
+  }
+  setFocusProxy(m_spins[0]);
+}
+
+void VectorEditor::show(const Value& value) {
+  const Vec3d& vector = std::get<Vec3d>(value);
+  for (int axis = 0; axis < 3; ++axis) m_spins[static_cast<std::size_t>(axis)]->showSi(vector[axis]);
+}
+
+}  // namespace spin
