@@ -6,11 +6,18 @@ namespace spin {
 
 // Each case is one file of this folder that defines its function, such as `BenchCase massCase();`, declared
 // here and called once in the list below.
+BenchCase terminalSpeedCase();
+BenchCase sizeSpectrumCase();
+BenchCase exposureEdgeCase();
+BenchCase exposureRaytracedCase();
+BenchCase slopeCatchCase();
+BenchCase massCase();
 BenchCase sphSpeedCase();
 
 const std::vector<BenchCase>& builtInBenchCases() {
   static const std::vector<BenchCase> cases = {
-      sphSpeedCase(),
+      terminalSpeedCase(), sizeSpectrumCase(), exposureEdgeCase(), exposureRaytracedCase(),
+      slopeCatchCase(),    massCase(),         sphSpeedCase(),
   };
   return cases;
 }

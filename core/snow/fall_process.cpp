@@ -135,17 +135,8 @@ class FallProcess final : public Process {
   }
 
   void fall(std::size_t k, double terminalSpeed, const SnowWeather& weather, double h) {
-    // Sub-steps of a quarter of the relaxation time follow the path; the scheme is stable at any step, so
-    // a cap on their number costs only the path's first moments.
-    const double relaxation = relaxationTime(terminalSpeed, kStandardGravity);
-    const int steps = static_cast<int>(std::clamp(std::ceil(4.0 * h / relaxation), 1.0, 64.0));
-    const double sub = h / steps;
-    Vec3d velocity = m_velocities[k], path{};
-    for (int s = 0; s < steps; ++s) {
-      const Vec3d next = dragStep(velocity, weather.wind, terminalSpeed, kGravity, sub);
-      path += (velocity + next) * (0.5 * sub);
-      velocity = next;
-    }
+    Vec3d velocity = m_velocities[k];
+    const Vec3d path = dragAdvance(velocity, weather.wind, terminalSpeed, kGravity, h);
     const double box = weather.snowfall.boxSize;
     const Vec3d p = m_positions[k] + path;
     m_positions[k] = {wrapped(p.x, box), wrapped(p.y, box), wrapped(p.z, box)};

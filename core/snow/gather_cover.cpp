@@ -111,18 +111,6 @@ bool gatherGrid(const Gather& gather, const Sampler& prototype, const CoverGrid&
   return true;
 }
 
-Raster<std::uint8_t> supersededQuads(const Raster<float>& heights, const SnowGround& ground) {
-  auto marks = heights.sameShape<std::uint8_t>(0);
-  for (const TerrainGrid& terrain : ground.terrain) {
-    if (terrain.refinement == 0) continue;
-    const Raster<float>& base = ground.layout->grids[terrain.grid].base;
-    for (int j = 0; j < base.height / terrain.refinement; ++j)
-      for (int i = 0; i < base.width / terrain.refinement; ++i)
-        marks.at(terrain.firstQuadI + i, terrain.firstQuadJ + j) = 1;
-  }
-  return marks;
-}
-
 }  // namespace
 
 Status gatherCover(const SceneSnapshot& snapshot, const SnowGround& ground, const SnowScene& scene,

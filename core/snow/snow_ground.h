@@ -77,6 +77,8 @@ inline constexpr std::size_t kMostPatches = 256;
 
 /// Appends the coarse grid and the fine grids near models.
 void addTerrainGrids(const SceneSnapshot& scene, CoverLayout& layout, std::vector<TerrainGrid>& terrain);
+/// 1 for the quads of the terrain that fine grids account for, by quad.
+Raster<std::uint8_t> supersededQuads(const Raster<float>& heights, const SnowGround& ground);
 /// Appends the patches of a model's up-facing parts: those whose upward normal's z is above minUpward.
 void addModelPatches(ModelGround& model, double cellSize, double minUpward, CoverLayout& layout);
 

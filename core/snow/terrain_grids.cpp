@@ -157,4 +157,16 @@ void addTerrainGrids(const SceneSnapshot& scene, CoverLayout& layout, std::vecto
   }
 }
 
+Raster<std::uint8_t> supersededQuads(const Raster<float>& heights, const SnowGround& ground) {
+  auto marks = heights.sameShape<std::uint8_t>(0);
+  for (const TerrainGrid& terrain : ground.terrain) {
+    if (terrain.refinement == 0) continue;
+    const Raster<float>& base = ground.layout->grids[terrain.grid].base;
+    for (int j = 0; j < base.height / terrain.refinement; ++j)
+      for (int i = 0; i < base.width / terrain.refinement; ++i)
+        marks.at(terrain.firstQuadI + i, terrain.firstQuadJ + j) = 1;
+  }
+  return marks;
+}
+
 }  // namespace spin
