@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QDateTime>
 #include <QObject>
-#include <QString>
 #include <QTimer>
+#include <map>
 #include <memory>
 #include <vector>
 
-#include "core/base/result.h"
-#include "editor/document/change_event.h"
+#include "editor/document/recovery_files.h"
 
 class QLockFile;
 class QThreadPool;
@@ -18,14 +16,6 @@ class QThreadPool;
 namespace spin {
 
 class SceneDocument;
-
-/// A scene that an earlier run of the program did not save.
-struct Recovery {
-  QString folder;       ///< where its files lie
-  QString scenePath;    ///< the scene's own file; empty if it was never saved
-  QString displayName;  ///< for the dialog
-  QDateTime written;    ///< when the recovery file was last written
-};
 
 /// Keeps a copy of unsaved work in the state directory: at most 10 s behind, written on a thread. A lock
 /// tells other instances that the scene is alive. The copy is removed once the scene is saved, replaced by
@@ -58,15 +48,18 @@ class Autosave : public QObject {
  private:
   void schedule();
   void write();
+  void finishWrite(const RecoveryContent& content, const Status& status);
+  bool claim(const QString& folder);
   void removeOwnFiles();
 
   SceneDocument* m_document;
   QString m_root;
   QString m_folder;
-  std::unique_ptr<QLockFile> m_lock;
+  std::unique_ptr<QLockFile> m_lock;  ///< of m_folder
   std::unique_ptr<QThreadPool> m_worker;
   QTimer m_timer;
-  QString m_recoveredFolder;
+  std::map<std::string, PaintedLayer> m_layersWritten;
+  Status m_lastStatus;
 };
 
 }  // namespace spin
