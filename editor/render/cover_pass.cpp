@@ -39,7 +39,7 @@ void drawIndices(std::size_t first, std::size_t count) {
 }  // namespace
 
 Status CoverPass::initialise() {
-  auto fine = GlProgram::build("terrain.vert", "terrain.frag", "#define FINE 1");
+  auto fine = GlProgram::build("terrain.vert", "terrain.frag", "#define FINE 1\n#define NEAR 1");
   if (!fine) return fine.error();
   auto patch = GlProgram::build("patch.vert", "patch.frag");
   if (!patch) return patch.error();

@@ -10,11 +10,10 @@ namespace spin {
 namespace {
 
 struct ShaderObject {
-  explicit ShaderObject(GLenum kind) : stage(kind), id(glCreateShader(kind)) {}
+  explicit ShaderObject(GLenum stage) : id(glCreateShader(stage)) {}
   ~ShaderObject() { glDeleteShader(id); }
   ShaderObject(const ShaderObject&) = delete;
   ShaderObject& operator=(const ShaderObject&) = delete;
-  GLenum stage;
   GLuint id;
 };
 
@@ -26,9 +25,9 @@ Error shaderError(std::string_view where, std::string why) {
 Status compile(const ShaderObject& shader, std::string_view name, std::string_view defines) {
   const std::string_view body = shaderSource(name);
   if (body.empty()) return shaderError(name, "the program holds no text of this name");
-  const std::string_view lighting = shader.stage == GL_FRAGMENT_SHADER ? shaderSource("lighting.glsl") : "";
-  const std::string text = fmt::format("#version 450 core\n{}\n#line 1\n{}\n#line 1\n{}\n#line 1\n{}",
-                                       defines, shaderSource("common.glsl"), lighting, body);
+  const std::string text =
+      fmt::format("#version 450 core\n{}\n#line 1\n{}\n#line 1\n{}\n#line 1\n{}", defines,
+                  shaderSource("common.glsl"), shaderSource("lighting.glsl"), body);
   const char* data = text.c_str();
   glShaderSource(shader.id, 1, &data, nullptr);
   glCompileShader(shader.id);

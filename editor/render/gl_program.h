@@ -14,7 +14,7 @@
 namespace spin {
 
 /// A linked pair of vertex and fragment shader from resources/shaders. Each text is preceded by the version
-/// line, the defines and common.glsl, a fragment shader also by lighting.glsl.
+/// line, the defines, common.glsl and lighting.glsl.
 class GlProgram {
  public:
   GlProgram() = default;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "editor/render/model_pass.h"
 
+#include <algorithm>
+
 #include "core/nodes/terrain_node.h"
 
 namespace spin {
@@ -54,11 +56,14 @@ Box3d transformed(const Transform& transform, const Box3d& box) {
 }
 
 Status ModelPass::initialise() {
-  auto program = GlProgram::build("model.vert", "model.frag");
-  if (!program) return program.error();
+  auto solid = GlProgram::build("model.vert", "model.frag");
+  if (!solid) return solid.error();
+  auto cutout = GlProgram::build("model.vert", "model.frag", "#define CUTOUT 1");
+  if (!cutout) return cutout.error();
   auto depth = GlProgram::build("depth.vert", "depth.frag");
   if (!depth) return depth.error();
-  m_program = std::move(*program);
+  m_solidProgram = std::move(*solid);
+  m_cutoutProgram = std::move(*cutout);
   m_depthProgram = std::move(*depth);
   m_vertexArray = GlVertexArray::make();
   const GLuint id = m_vertexArray.id();
@@ -112,19 +117,24 @@ void ModelPass::forParts(const PlacedModel& placed, const Begin& begin) const {
 }
 
 void ModelPass::draw(const DrawContext& context, const std::vector<PlacedModel>& placed) const {
-  m_program.use();
   glBindVertexArray(m_vertexArray.id());
-  for (const PlacedModel& one : placed) {
-    if (!context.frustum.mayShow(one.bounds)) continue;
+  // Near models first, so that they hide far ones before those are shaded.
+  std::vector<std::pair<double, const PlacedModel*>> seen;
+  for (const PlacedModel& one : placed)
+    if (context.frustum.mayShow(one.bounds))
+      seen.emplace_back(distanceTo(one.bounds, context.camera.position), &one);
+  std::stable_sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [distance, one] : seen) {
     const bool selected =
-        !context.options.selectedNode.empty() && one.node->id == context.options.selectedNode;
-    m_program.set("uHighlight", 1.0f, 0.45f, 0.05f, selected ? 0.6f : 0.0f);
-    forParts(one, [&](const Transform& t, const Material& m, bool textured) {
-      m_program.setMatrix("uModel", t.toColumnMajor());
-      m_program.setMatrix("uNormalMatrix", normalMatrix(t));
-      m_program.set("uBaseColour", m.baseColour.x, m.baseColour.y, m.baseColour.z, m.baseColour.w);
-      m_program.set("uSurface", textured ? 1.0f : 0.0f, m.alphaCutout ? 1.0f : 0.0f,
-                    m.doubleSided ? 1.0f : 0.0f, m.roughness);
+        !context.options.selectedNode.empty() && one->node->id == context.options.selectedNode;
+    forParts(*one, [&](const Transform& t, const Material& m, bool textured) {
+      const GlProgram& program = textured && m.alphaCutout ? m_cutoutProgram : m_solidProgram;
+      program.use();
+      program.set("uHighlight", 1.0f, 0.45f, 0.05f, selected ? 0.6f : 0.0f);
+      program.setMatrix("uModel", t.toColumnMajor());
+      program.setMatrix("uNormalMatrix", normalMatrix(t));
+      program.set("uBaseColour", m.baseColour.x, m.baseColour.y, m.baseColour.z, m.baseColour.w);
+      program.set("uSurface", textured ? 1.0f : 0.0f, m.doubleSided ? 1.0f : 0.0f, m.roughness, 0.0f);
     });
   }
 }

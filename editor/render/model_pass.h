@@ -55,7 +55,7 @@ class ModelPass {
   void forParts(const PlacedModel& placed, const Begin& begin) const;
 
   std::map<const ModelData*, GpuModel> m_models;
-  GlProgram m_program, m_depthProgram;
+  GlProgram m_solidProgram, m_cutoutProgram, m_depthProgram;
   GlVertexArray m_vertexArray;
 };
 

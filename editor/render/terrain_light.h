@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/fields/raster.h"
@@ -16,5 +17,11 @@ std::vector<Vec4f> terrainNormalsAndSky(const Raster<float>& heights);
 /// Per cell: height in m below which the terrain's own shadow lies over the cell, for a sun in direction
 /// `toSun` (unit, z > 0). Very low where nothing shades. One sweep from the sun's side over the raster.
 std::vector<float> terrainShadowHeights(const Raster<float>& heights, Vec3d toSun);
+
+/// Both as bytes for a texture, RGBA per cell: 128 + 127 x and y of the normal, sky share and the share of
+/// the sun that the terrain lets through (a soft edge of 6 m of height), 255 = all.
+std::vector<std::uint8_t> packTerrainLight(const Raster<float>& heights,
+                                           const std::vector<Vec4f>& normalsAndSky,
+                                           const std::vector<float>& shadowHeights);
 
 }  // namespace spin

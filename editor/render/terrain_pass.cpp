@@ -14,6 +14,8 @@ namespace {
 /// depend on it.
 constexpr double kQuadPixels = 12.0;
 constexpr std::size_t kMostCuts = 16;
+/// Tiles nearer than this, m, show the grain of the ground and the shadows of models.
+constexpr double kNearShading = 60.0;
 
 bool overlaps(const Box3d& box, const Vec4f& r) {
   return box.min.x < static_cast<double>(r.z) && box.max.x > static_cast<double>(r.x) &&
@@ -28,12 +30,13 @@ int terrainLevel(double distance, double cellSize, double pixelsPerUnit, double 
 }
 
 Status TerrainPass::initialise() {
-  auto program = GlProgram::build("terrain.vert", "terrain.frag");
-  if (!program) return program.error();
-  auto cutProgram = GlProgram::build("terrain.vert", "terrain.frag", "#define CUT 1");
-  if (!cutProgram) return cutProgram.error();
-  m_program = std::move(*program);
-  m_cutProgram = std::move(*cutProgram);
+  const std::pair<GlProgram*, const char*> variants[] = {
+      {&m_farProgram, ""}, {&m_nearProgram, "#define NEAR 1"}, {&m_falseProgram, "#define FALSE_COLOURS 1"}};
+  for (const auto& [program, defines] : variants) {
+    auto built = GlProgram::build("terrain.vert", "terrain.frag", defines);
+    if (!built) return built.error();
+    *program = std::move(*built);
+  }
   m_vertexArray = GlVertexArray::make();
   glEnableVertexArrayAttrib(m_vertexArray.id(), 0);
   glVertexArrayAttribFormat(m_vertexArray.id(), 0, 3, GL_FLOAT, GL_FALSE, 0);
@@ -46,7 +49,6 @@ void TerrainPass::setTerrain(std::shared_ptr<const TerrainData> terrain) {
   m_terrain = std::move(terrain);
   m_tiles.clear();
   m_light.reset();
-  m_shadow.reset();
   m_toSun = {};
   if (!m_terrain || m_terrain->heights.width < 2 || m_terrain->heights.height < 2) {
     m_terrain.reset();
@@ -54,16 +56,11 @@ void TerrainPass::setTerrain(std::shared_ptr<const TerrainData> terrain) {
   }
   makeTiles();
   const Raster<float>& h = m_terrain->heights;
-  const std::vector<Vec4f> light = terrainNormalsAndSky(h);
+  m_normalsAndSky = terrainNormalsAndSky(h);
   m_light = GlTexture::make(GLenum{GL_TEXTURE_2D});
   const int levels = 1 + static_cast<int>(std::log2(std::max(h.width, h.height)));
-  glTextureStorage2D(m_light.id(), std::min(levels, 4), GL_RGBA16F, h.width, h.height);
-  glTextureSubImage2D(m_light.id(), 0, 0, 0, h.width, h.height, GL_RGBA, GL_FLOAT, light.data());
-  glGenerateTextureMipmap(m_light.id());
+  glTextureStorage2D(m_light.id(), std::min(levels, 4), GL_RGBA8, h.width, h.height);
   setSampling(m_light, GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, GL_CLAMP_TO_EDGE);
-  m_shadow = GlTexture::make(GLenum{GL_TEXTURE_2D});
-  glTextureStorage2D(m_shadow.id(), 1, GL_R32F, h.width, h.height);
-  setSampling(m_shadow, GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
 }
 
 void TerrainPass::makeTiles() {
@@ -87,13 +84,14 @@ void TerrainPass::update(const SceneSnapshot& scene, double filmTime, GroundDisp
   if (!m_terrain || toSun == m_toSun) return;
   m_toSun = toSun;
   const Raster<float>& h = m_terrain->heights;
-  const std::vector<float> shadow = terrainShadowHeights(h, toSun);
-  glTextureSubImage2D(m_shadow.id(), 0, 0, 0, h.width, h.height, GL_RED, GL_FLOAT, shadow.data());
+  const std::vector<std::uint8_t> light =
+      packTerrainLight(h, m_normalsAndSky, terrainShadowHeights(h, toSun));
+  glTextureSubImage2D(m_light.id(), 0, 0, 0, h.width, h.height, GL_RGBA, GL_UNSIGNED_BYTE, light.data());
+  glGenerateTextureMipmap(m_light.id());
 }
 
 void TerrainPass::bindTextures() const {
   glBindTextureUnit(3, m_light.id());
-  glBindTextureUnit(4, m_shadow.id());
   glBindTextureUnit(5, m_ground.texture());
 }
 
@@ -147,10 +145,12 @@ void TerrainPass::draw(const DrawContext& context, const std::vector<Vec4f>& cut
     std::vector<Vec4f> here;
     for (const Vec4f& cut : cuts)
       if (overlaps(tile->bounds, cut) && here.size() < kMostCuts) here.push_back(cut);
-    const GlProgram& program = here.empty() ? m_program : m_cutProgram;
+    const bool natural = context.options.ground == GroundDisplay::Natural;
+    const bool near = distance < kNearShading || !here.empty();
+    const GlProgram& program = !natural ? m_falseProgram : near ? m_nearProgram : m_farProgram;
     program.use();
-    if (!here.empty()) {
-      program.setArray("uCuts", &here.front().x, static_cast<int>(here.size()));
+    if (natural && near) {
+      if (!here.empty()) program.setArray("uCuts", &here.front().x, static_cast<int>(here.size()));
       program.set("uCutCount", static_cast<int>(here.size()));
     }
     drawTile(mesh);

@@ -22,7 +22,7 @@ class TerrainPass {
   void setTerrain(std::shared_ptr<const TerrainData> terrain);
   /// Brings ground colours and the terrain's shadow up to date.
   void update(const SceneSnapshot& scene, double filmTime, GroundDisplay display, Vec3d toSun);
-  /// Binds what every pass that lights something reads: light map, shadow heights, ground colours.
+  /// Binds what every pass that lights something reads: light map and ground colours.
   void bindTextures() const;
   /// `cuts`: rectangles x0, y0, x1, y1 that fine grids draw instead. Fills FrameBlock's terrain fields
   /// before.
@@ -49,9 +49,10 @@ class TerrainPass {
 
   std::shared_ptr<const TerrainData> m_terrain;
   std::vector<Tile> m_tiles;
-  GlProgram m_program, m_cutProgram;
+  GlProgram m_farProgram, m_nearProgram, m_falseProgram;
   GlVertexArray m_vertexArray;
-  GlTexture m_light, m_shadow;
+  GlTexture m_light;
+  std::vector<Vec4f> m_normalsAndSky;
   GroundMap m_ground;
   Vec3d m_toSun{};
   std::size_t m_triangles = 0;

@@ -3,45 +3,35 @@
 layout(binding = 0) uniform sampler2D uNoise;           // makeNoiseTile()
 layout(binding = 1) uniform sampler2DShadow uShadowMap; // models as the sun sees them
 layout(binding = 2) uniform sampler2DShadow uZenithMap; // models as the zenith sees them
-layout(binding = 3) uniform sampler2D uTerrainLight;    // normal x, y, sky share, data
-layout(binding = 4) uniform sampler2D uTerrainShadow;   // height of the terrain's own shadow
+layout(binding = 3) uniform sampler2D uTerrainLight;    // normal x, y, sky share, sun share
 
-// Share of the sun's beam that reaches a point: the terrain's shadow volume with a soft edge, then models.
+// Software drivers run both sides of a branch: what is not always needed stands in variants of the programs
+// or in the vertex stage, not in branches.
+
+// Share of the sun's beam that models let through.
+float modelShadow(vec3 p) {
+  vec3 s = (uShadowMatrix * vec4(p, 1.0)).xyz;
+  float rim = max(abs(s.x), abs(s.y));
+  float lit = texture(uShadowMap, vec3(s.xy * 0.5 + 0.5, s.z - 0.0012));
+  return mix(1.0, lit, uZenith.w * (1.0 - smoothstep(0.85, 0.98, rim)));
+}
+
+// Share of the sun's beam that the terrain and the models let through to a point near the ground.
 float sunVisibility(vec3 p) {
-  float visible = 1.0;
-  if (uTerrainGrid.w > 0.5) {
-    float edge = texture(uTerrainShadow, terrainUv(p.xy)).r;
-    visible = smoothstep(-3.0, 3.0, p.z - edge);
-  }
-  if (uZenith.w > 0.5) {
-    vec3 s = (uShadowMatrix * vec4(p, 1.0)).xyz;
-    vec2 a = abs(s.xy);
-    if (max(a.x, a.y) < 0.98) {
-      vec2 uv = s.xy * 0.5 + 0.5;
-      float d = s.z - 0.0012;
-      float texel = 0.9 / 1024.0;
-      float lit = texture(uShadowMap, vec3(uv + vec2(texel, texel * 0.4), d)) +
-                  texture(uShadowMap, vec3(uv - vec2(texel, texel * 0.4), d));
-      visible *= mix(0.5 * lit, 1.0, smoothstep(0.85, 0.98, max(a.x, a.y)));
-    }
-  }
-  return visible;
+  return modelShadow(p) * texture(uTerrainLight, terrainUv(p.xy)).a;
 }
 
 // Share of the sky above a point that models leave open, from four wide looks into the zenith map.
 float zenithVisibility(vec3 p) {
-  if (uZenith.w < 0.5) return 1.0;
   vec3 s = (uZenithMatrix * vec4(p, 1.0)).xyz;
-  vec2 a = abs(s.xy);
-  float rim = max(a.x, a.y);
-  if (rim > 0.98) return 1.0;
+  float rim = max(abs(s.x), abs(s.y));
   vec2 uv = s.xy * 0.5 + 0.5;
   float d = s.z - 0.0012;
   float open = texture(uZenithMap, vec3(uv + vec2(0.0065, 0.0024), d)) +
                texture(uZenithMap, vec3(uv + vec2(-0.0024, 0.0065), d)) +
                texture(uZenithMap, vec3(uv + vec2(-0.0065, -0.0024), d)) +
                texture(uZenithMap, vec3(uv + vec2(0.0024, -0.0065), d));
-  return mix(0.25 * open, 1.0, smoothstep(0.85, 0.98, rim));
+  return mix(1.0, 0.25 * open, uZenith.w * (1.0 - smoothstep(0.85, 0.98, rim)));
 }
 
 // Colour of the sky in a direction: what the haze fades to.
@@ -75,13 +65,10 @@ vec3 snowColour(vec3 normal, float sunlit, float skyOpen) {
 }
 
 // Sun that single crystals mirror into the eye; only where texels of the white noise are seen apart.
-vec3 snowSparkle(vec3 p, vec3 normal, vec3 toEye, float distance, float sunlit) {
-  float near = 1.0 - smoothstep(6.0, 16.0, distance);
-  if (near <= 0.0) return vec3(0.0);
-  vec2 cell = p.xy * 0.55 + toEye.xy * 0.35;
-  float glint = smoothstep(0.975, 1.0, texture(uNoise, cell).a);
+vec3 snowSparkle(float white, vec3 normal, vec3 toEye, float distance, float sunlit) {
+  float glint = smoothstep(0.975, 1.0, white) * (1.0 - smoothstep(6.0, 16.0, distance));
   float lobe = max(dot(normal, normalize(uToSun.xyz + toEye)), 0.0);
-  return uSun.rgb * (glint * near * sunlit * 1.4 * lobe * lobe * lobe);
+  return uSun.rgb * (glint * sunlit * 1.4 * lobe * lobe * lobe);
 }
 
 // Tone curve: linear below 0.7, then a shoulder that keeps highlights from clipping.
@@ -90,13 +77,18 @@ vec3 shoulder(vec3 colour) {
   return min(colour, 0.7) + 0.32 * (1.0 - exp(-high / 0.32));
 }
 
-// The finished picture value of a surface: veiled by haze over its distance, then the tone curve.
-vec3 finish(vec3 colour, vec3 p) {
+// Colour of the haze before a point and, in w, the share of the point's own light that passes it. It varies
+// slowly: the vertex stage computes it.
+vec4 hazeAt(vec3 p) {
   vec3 ray = p - uEye.xyz;
   float distance = length(ray);
   float kept = exp(-uHorizon.w * distance);
-  colour = mix(skyColour(ray / distance), colour, kept);
-  return shoulder(colour);
+  return vec4(skyColour(ray / max(distance, 1e-3)) * (1.0 - kept), kept);
+}
+
+// The finished picture value of a surface: veiled by haze, then the tone curve.
+vec3 finish(vec3 colour, vec4 haze) {
+  return shoulder(colour * haze.w + haze.rgb);
 }
 
 // How much of the ground snow hides. Thin snow sinks between stems and stones: `roughness` (m) is how far

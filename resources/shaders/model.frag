@@ -1,34 +1,38 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
+// Variant CUTOUT: foliage, lit per vertex, with texels cut away.
 in vec3 vPosition;
 in vec3 vNormal;
 in vec2 vUv;
+in vec2 vOpen;
+in vec4 vHaze;
 layout(binding = 7) uniform sampler2D uTexture;
 uniform vec4 uBaseColour;
-uniform vec4 uSurface;    // textured, alpha cut-out, double-sided, roughness
+uniform vec4 uSurface;    // textured, double-sided, roughness, unused
 uniform vec4 uHighlight;  // colour and strength
 layout(location = 0) out vec4 oColour;
 
 void main() {
-  vec4 base = uBaseColour;
-  if (uSurface.x > 0.5) base *= texture(uTexture, vUv);
-  if (uSurface.y > 0.5) {
-    // Mip levels thin out cut-outs; raising alpha with the level keeps their area.
-    float alpha = base.a * (1.0 + 0.25 * max(textureQueryLod(uTexture, vUv).x, 0.0));
-    if (alpha < 0.5) discard;
-  }
+  vec4 base = uBaseColour * mix(vec4(1.0), texture(uTexture, vUv), uSurface.x);
+#ifdef CUTOUT
+  // Mip levels thin out cut-outs; raising alpha with the level keeps their area.
+  float level = max(textureQueryLod(uTexture, vUv).x, 0.0);
+  if (base.a * (1.0 + 0.12 * level) < 0.5) discard;
+#endif
   vec3 toEye = normalize(uEye.xyz - vPosition);
   vec3 normal = normalize(vNormal);
-  if (uSurface.z > 0.5 && dot(normal, toEye) < 0.0) normal = -normal;
-  float sunlit = sunVisibility(vPosition + normal * 0.03);
-  float skyOpen = mix(0.35, 1.0, zenithVisibility(vPosition + normal * 0.25));
-  vec3 colour = base.rgb * diffuseLight(normal, sunlit, skyOpen);
-  float gloss = 1.0 - uSurface.w;
-  if (gloss > 0.05) {
-    float lobe = pow(max(dot(normal, normalize(uToSun.xyz + toEye)), 0.0), 8.0 + 120.0 * gloss * gloss);
-    float rim = pow(1.0 - max(dot(normal, toEye), 0.0), 5.0);
-    colour += gloss * (uSun.rgb * (sunlit * lobe * 0.5) + skyColour(reflect(-toEye, normal)) * (0.04 + 0.5 * rim));
-  }
-  colour = mix(colour, uHighlight.rgb, uHighlight.a * (0.35 + 0.65 * pow(1.0 - abs(dot(normal, toEye)), 2.0)));
-  oColour = vec4(finish(colour, vPosition), 1.0);
+  float facing = dot(normal, toEye);
+#ifdef CUTOUT
+  // Light shines through needles: the far side is as bright as the near one.
+  vec3 colour = base.rgb * diffuseLight(normal, vOpen.y, vOpen.x);
+#else
+  if (uSurface.y > 0.5 && facing < 0.0) normal = -normal;
+  float sunlit = vOpen.y * modelShadow(vPosition + normal * 0.03);
+  vec3 colour = base.rgb * diffuseLight(normal, sunlit, vOpen.x);
+  float gloss = max(0.9 - uSurface.z, 0.0), rim = 1.0 - abs(facing);
+  float rim2 = rim * rim;
+  colour += gloss * skyColour(reflect(-toEye, normal)) * (0.05 + 0.6 * rim2 * rim2);
+#endif
+  colour = mix(colour, uHighlight.rgb, uHighlight.a * (1.0 - 0.65 * abs(facing)));
+  oColour = vec4(finish(colour, vHaze), 1.0);
 }

@@ -4,20 +4,24 @@
 layout(location = 0) in vec3 aPosition;
 #ifdef FINE
 layout(location = 1) in vec3 aSnow;  // depth and its slope along x and y
-out vec3 vSnow;
+out vec4 vSnow;                      // the same, and the share of the sky that models leave open
 #else
 layout(binding = 6) uniform sampler2D uSnowDepth;
 #endif
 out vec3 vPosition;
+out vec4 vHaze;
 
 void main() {
 #ifdef FINE
-  vSnow = aSnow;
   float depth = aSnow.x;
 #else
   ivec2 cell = ivec2(round((aPosition.xy - uTerrainGrid.xy) * uTerrainGrid.z));
   float depth = uTerrainSize.z > 0.5 ? texelFetch(uSnowDepth, cell, 0).r : 0.0;
 #endif
   vPosition = aPosition + vec3(0.0, 0.0, depth);
+#ifdef FINE
+  vSnow = vec4(aSnow, zenithVisibility(vPosition));
+#endif
+  vHaze = hazeAt(vPosition);
   gl_Position = uViewProjection * vec4(vPosition, 1.0);
 }
