@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/check.h"
+#include "core/base/host_device.h"
 #include "gpu/cuda_stage_timer.cuh"
 #include "gpu/device_array.cuh"
 
