@@ -10,7 +10,7 @@
 namespace spin {
 namespace {
 
-using Kind = JsonValue::Kind;
+using Kind = BenchJson::Kind;
 
 std::string metricJson(const BenchMetric& m) {
   const std::string bar = m.hasBar ? jsonNumber(m.bar) : "null";
@@ -37,19 +37,19 @@ std::string rowJson(const BenchRow& row) {
 /// Reads members of a row and remembers the first that is missing or of the wrong kind.
 class Reader {
  public:
-  const JsonValue* member(const JsonValue& object, const char* name, Kind kind, bool nullable = false) {
-    const JsonValue* value = object.find(name);
+  const BenchJson* member(const BenchJson& object, const char* name, Kind kind, bool nullable = false) {
+    const BenchJson* value = object.find(name);
     if (value && (value->kind == kind || (nullable && value->isNull()))) return value;
     if (m_problem.empty()) m_problem = fmt::format("member '{}' is missing or of the wrong kind", name);
     return nullptr;
   }
-  std::string text(const JsonValue& object, const char* name) {
-    const JsonValue* value = member(object, name, Kind::String);
+  std::string text(const BenchJson& object, const char* name) {
+    const BenchJson* value = member(object, name, Kind::String);
     return value ? value->text : std::string();
   }
   /// null reads as NaN.
-  double number(const JsonValue& object, const char* name) {
-    const JsonValue* value = member(object, name, Kind::Number, true);
+  double number(const BenchJson& object, const char* name) {
+    const BenchJson* value = member(object, name, Kind::Number, true);
     return value && !value->isNull() ? value->number : std::numeric_limits<double>::quiet_NaN();
   }
   void note(std::string problem) {
@@ -61,29 +61,29 @@ class Reader {
   std::string m_problem;
 };
 
-BenchMetric readMetric(Reader& reader, const JsonValue& value) {
+BenchMetric readMetric(Reader& reader, const BenchJson& value) {
   BenchMetric metric;
   metric.value = reader.number(value, "value");
   metric.unit = reader.text(value, "unit");
-  const JsonValue* pass = reader.member(value, "pass", Kind::Bool, true);
+  const BenchJson* pass = reader.member(value, "pass", Kind::Bool, true);
   metric.hasBar = pass && !pass->isNull();
   if (metric.hasBar) {
     metric.bar = reader.number(value, "bar");
     metric.pass = pass->boolean;
   }
-  if (const JsonValue* time = value.find("time")) metric.isTime = time->boolean;
+  if (const BenchJson* time = value.find("time")) metric.isTime = time->boolean;
   return metric;
 }
 
-BenchRow readRow(Reader& reader, const JsonValue& value) {
+BenchRow readRow(Reader& reader, const BenchJson& value) {
   BenchRow row;
   row.caseId = reader.text(value, "case");
-  if (const JsonValue* settings = reader.member(value, "settings", Kind::Object))
+  if (const BenchJson* settings = reader.member(value, "settings", Kind::Object))
     for (const auto& [name, setting] : settings->members) {
       if (setting.kind != Kind::String) reader.note(fmt::format("setting '{}' is no text", name));
       row.settings[name] = setting.text;
     }
-  if (const JsonValue* metrics = reader.member(value, "metrics", Kind::Object))
+  if (const BenchJson* metrics = reader.member(value, "metrics", Kind::Object))
     for (const auto& [name, metric] : metrics->members)
       row.metrics.emplace_back(name, readMetric(reader, metric));
   row.seconds = reader.number(value, "seconds");
@@ -106,12 +106,12 @@ std::string benchJson(const std::vector<BenchRow>& rows) {
 }
 
 Result<std::vector<BenchRow>> readBenchJson(const std::string& text) {
-  Result<JsonValue> json = parseJson(text);
+  Result<BenchJson> json = parseBenchJson(text);
   if (!json) return json.error();
   constexpr const char* kWhat = "The benchmark results could not be read";
   if (json->kind != Kind::List) return badInput(kWhat, {}, "the file is no list of rows");
   std::vector<BenchRow> rows;
-  for (const JsonValue& item : json->items) {
+  for (const BenchJson& item : json->items) {
     Reader reader;
     rows.push_back(readRow(reader, item));
     if (!reader.problem().empty())

@@ -26,8 +26,8 @@ class Parser {
  public:
   explicit Parser(std::string_view text) : m_text(text) {}
 
-  Result<JsonValue> run() {
-    JsonValue value;
+  Result<BenchJson> run() {
+    BenchJson value;
     if (parseValue(value, 0)) {
       skipSpace();
       if (m_at == m_text.size()) return value;
@@ -56,7 +56,7 @@ class Parser {
     return true;
   }
 
-  bool parseValue(JsonValue& value, int depth) {
+  bool parseValue(BenchJson& value, int depth) {
     if (depth > kMaxDepth) return fail("nested too deeply");
     skipSpace();
     if (m_at >= m_text.size()) return fail("the text ends early");
@@ -66,11 +66,11 @@ class Parser {
       case '[':
         return parseList(value, depth);
       case '"':
-        value.kind = JsonValue::Kind::String;
+        value.kind = BenchJson::Kind::String;
         return parseString(value.text);
       case 't':
       case 'f':
-        value.kind = JsonValue::Kind::Bool;
+        value.kind = BenchJson::Kind::Bool;
         value.boolean = m_text[m_at] == 't';
         return takeWord(value.boolean ? "true" : "false");
       case 'n':
@@ -80,8 +80,8 @@ class Parser {
     }
   }
 
-  bool parseNumber(JsonValue& value) {
-    value.kind = JsonValue::Kind::Number;
+  bool parseNumber(BenchJson& value) {
+    value.kind = BenchJson::Kind::Number;
     const std::size_t digit = m_at + (m_text[m_at] == '-' ? 1 : 0);
     const auto isDigit = [this](std::size_t at) {
       return at < m_text.size() && m_text[at] >= '0' && m_text[at] <= '9';
@@ -139,8 +139,8 @@ class Parser {
     return fail("the text ends early");
   }
 
-  bool parseList(JsonValue& value, int depth) {
-    value.kind = JsonValue::Kind::List;
+  bool parseList(BenchJson& value, int depth) {
+    value.kind = BenchJson::Kind::List;
     take('[');
     skipSpace();
     if (take(']')) return true;
@@ -151,8 +151,8 @@ class Parser {
     return take(']') || fail("',' or ']' is expected");
   }
 
-  bool parseObject(JsonValue& value, int depth) {
-    value.kind = JsonValue::Kind::Object;
+  bool parseObject(BenchJson& value, int depth) {
+    value.kind = BenchJson::Kind::Object;
     take('{');
     skipSpace();
     if (take('}')) return true;
@@ -163,7 +163,7 @@ class Parser {
       if (value.find(name)) return fail("a member is repeated");
       skipSpace();
       if (!take(':')) return fail("':' is expected");
-      value.members.emplace_back(std::move(name), JsonValue{});
+      value.members.emplace_back(std::move(name), BenchJson{});
       if (!parseValue(value.members.back().second, depth + 1)) return false;
       skipSpace();
     } while (take(','));
@@ -177,13 +177,13 @@ class Parser {
 
 }  // namespace
 
-const JsonValue* JsonValue::find(std::string_view name) const {
+const BenchJson* BenchJson::find(std::string_view name) const {
   for (const auto& [key, value] : members)
     if (key == name) return &value;
   return nullptr;
 }
 
-Result<JsonValue> parseJson(std::string_view text) {
+Result<BenchJson> parseBenchJson(std::string_view text) {
   return Parser(text).run();
 }
 

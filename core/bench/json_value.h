@@ -12,22 +12,22 @@
 namespace spin {
 
 /// A parsed JSON value (RFC 8259). Members keep their order.
-struct JsonValue {
+struct BenchJson {
   enum class Kind { Null, Bool, Number, String, List, Object };
   Kind kind = Kind::Null;
   bool boolean = false;
   double number = 0.0;
   std::string text;
-  std::vector<JsonValue> items;                            ///< List
-  std::vector<std::pair<std::string, JsonValue>> members;  ///< Object
+  std::vector<BenchJson> items;                            ///< List
+  std::vector<std::pair<std::string, BenchJson>> members;  ///< Object
 
   bool isNull() const { return kind == Kind::Null; }
   /// nullptr if there is no such member.
-  const JsonValue* find(std::string_view name) const;
+  const BenchJson* find(std::string_view name) const;
 };
 
 /// Strict: one value, nothing after it, at most 64 levels deep, no repeated member. The error names the byte.
-Result<JsonValue> parseJson(std::string_view text);
+Result<BenchJson> parseBenchJson(std::string_view text);
 
 /// The text with quotes, escaped.
 std::string jsonQuote(std::string_view text);
