@@ -170,8 +170,8 @@ std::string withChatter(const std::string& why, const std::string& chatter) {
 }
 
 bool speaksOfMemory(const std::string& chatter) {
-  for (const char* sign : {"bad_alloc", "annot allocate", "ut of memory", "not enough memory", "MemoryError",
-                           "failed to map segment"})
+  for (const char* sign : {"bad_alloc", "annot allocate", "ut of memory", "not enough memory",
+                           "memory exhausted", "MemoryError", "failed to map segment"})
     if (chatter.find(sign) != std::string::npos) return true;
   return false;
 }
@@ -232,7 +232,8 @@ Status runHelper(const std::string& program, const std::vector<char>& request, c
   if (Status status = question.write(request); !status) return status;
   if (answer.fd() < 0) return cannotStart(program, "there is no memory for the answer");
   int chatter[2];
-  if (pipe2(chatter, O_CLOEXEC | O_NONBLOCK) != 0) return cannotStart(program, std::strerror(errno));
+  if (pipe2(chatter, O_CLOEXEC) != 0) return cannotStart(program, std::strerror(errno));
+  fcntl(chatter[0], F_SETFL, O_NONBLOCK);  // our end only: the helper's writes may wait
   const Launch launch{program.c_str(),
                       question.fd(),
                       answer.fd(),

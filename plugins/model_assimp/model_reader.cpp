@@ -13,6 +13,7 @@
 #include <assimp/scene.h>
 
 #include "plugins/model_assimp/model_assimp_plugin.h"
+#include "plugins/model_assimp/ply_check.h"
 #include "plugins/model_assimp/scene_converter.h"
 #include "plugins/sdk/file_name.h"
 
@@ -105,6 +106,8 @@ Status checkOptions(const ImportOptions& options, const std::string& path) {
 Result<ModelImport> ModelAssimpPlugin::read(const std::string& path, const ImportOptions& options) {
   if (Status status = checkOptions(options, path); !status) return status.error();
   const std::string extension = lowerCaseExtension(path);
+  if (extension == "ply")
+    if (Status status = checkPlyFile(path); !status) return status.error();
   const ModelFolder folder(path);
   std::vector<std::string> refused, said;
   const AssimpLog log(said);

@@ -67,8 +67,7 @@ Status HeightRows::read(int fileRow, std::vector<double>& metres, const GdalMess
                     "The file may be cut off or damaged: copy or export it again");
   for (std::size_t i = 0; i < metres.size(); ++i) {
     if (std::isinf(metres[i])) ++m_infinite;
-    metres[i] =
-        isHole(metres[i], i) ? std::numeric_limits<double>::quiet_NaN() : metres[i] * m_scale + m_offset;
+    metres[i] = isHole(metres[i], i) ? std::numeric_limits<double>::quiet_NaN() : toMetres(metres[i]);
   }
   return {};
 }

@@ -30,6 +30,7 @@ class HeightRows {
               const std::string& path);
   /// Reads all rows; refuses absurd heights and rasters without any.
   Result<HeightStatistics> scan(const GdalMessages& messages, const std::string& path);
+  double toMetres(double raw) const { return raw * m_scale + m_offset; }
   bool knowsNoData() const { return m_hasNoData || m_hasGiven || m_mask; }
 
  private:

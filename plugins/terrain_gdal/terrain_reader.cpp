@@ -9,6 +9,7 @@
 #include "plugins/sdk/file_name.h"
 #include "plugins/sdk/import_limits.h"
 #include "plugins/sdk/memory_budget.h"
+#include "plugins/terrain_gdal/ascii_check.h"
 #include "plugins/terrain_gdal/height_rows.h"
 #include "plugins/terrain_gdal/terrain_gdal_plugin.h"
 
@@ -111,13 +112,16 @@ std::vector<std::string> findings(const HeightRows& rows, const RasterSource& so
                            : "The coordinate system has no EPSG number");
   if (found.infinite > 0)
     warnings.push_back(fmt::format("{} cells are infinite: taken as holes", found.infinite));
-  const GDALDataType type = source.band->GetRasterDataType();
-  if (!rows.knowsNoData() && type == GDT_UInt16 && found.lowest == 0.0 && found.atLowest > 1)
-    warnings.push_back(fmt::format("{} cells hold 0: if that marks missing data, name 0 as the NoData value",
-                                   found.atLowest));
-  if (!rows.knowsNoData() && type == GDT_UInt16 && found.atHighest > 1 && found.highest >= 65535.0)
-    warnings.push_back(fmt::format(
-        "{} cells hold 65535: if that marks missing data, name 65535 as the NoData value", found.atHighest));
+  // 16-bit pictures cannot name a NoData value; by custom it is the first or the last number.
+  if (!rows.knowsNoData() && source.band->GetRasterDataType() == GDT_UInt16) {
+    const auto suspect = [&](int raw, double height, std::size_t cells) {
+      if (height == rows.toMetres(raw) && cells > 1)
+        warnings.push_back(fmt::format(
+            "{} cells hold {}: if that marks missing data, name it as the NoData value", cells, raw));
+    };
+    suspect(0, found.lowest, found.atLowest);
+    suspect(65535, found.highest, found.atHighest);
+  }
   if (found.lowest < -1000.0)
     warnings.push_back(
         fmt::format("{} cells lie at {:g} m: if that number marks missing data, name it as the NoData value",
@@ -139,6 +143,8 @@ Result<TerrainImport> TerrainGdalPlugin::read(const std::string& path, const Imp
   const Result<RasterPlacement> place = placementOf(*source, options, path);
   if (!place) return place.error();
   if (Status status = checkMemory(*source, path); !status) return status.error();
+  if (lowerCaseExtension(path) == "asc")
+    if (Status status = checkAsciiGrid(path); !status) return status.error();
   // What opening complained of without failing is a warning; from here on any failure counts.
   const GdalMessages reading;
   HeightRows rows(*source, options);
