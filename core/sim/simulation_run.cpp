@@ -177,7 +177,6 @@ Status SimulationRun::compute(int frame) {
   ProcessContext c = context();
   m_frame = -1;
   for (const auto& process : m_pipeline.processes()) {
-    const ScopedStage stage(m_backend.timings(), process->id());
     const Status done = frame == 0 ? process->begin(m_scene, c) : process->step(input, c);
     if (!done) return done;
     if (m_cancel.cancelled()) return cancelledError(frame);

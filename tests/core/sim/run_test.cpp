@@ -113,7 +113,7 @@ TEST_F(Simulation, FramesCarryTheirOrigin) {
   EXPECT_EQ(frame->info.solverVersion, kSolverVersion);
   EXPECT_EQ(frame->info.seed, 1);
   EXPECT_EQ(frame->info.budget.get("emitted"), 100.0);
-  EXPECT_GT(frame->info.timings.seconds("walk"), 0.0);
+  EXPECT_GT(frame->info.timings.seconds("walk"), 0.0) << "a stage of the process";
   EXPECT_EQ(frame->info.key, store.keys()[2]);
 }
 

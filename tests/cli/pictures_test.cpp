@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.h"
+
+namespace spin {
+namespace {
+
+class Pictures : public ::testing::Test {
+ protected:
+  std::map<std::string, std::string> render(const std::string& out, std::vector<std::string> more) {
+    const auto outcome =
+        test::runProgram(folder, test::joined({"render", scene, "--output", folder / out}, more));
+    EXPECT_EQ(outcome.code, 0) << outcome.error;
+    return test::filesBelow(folder / out);
+  }
+  test::Folder folder;
+  std::string scene = test::writeTinyScene(folder);
+};
+
+TEST_F(Pictures, NeedNoDisplayAndAreTheSameEveryTime) {
+  ::unsetenv("DISPLAY");
+  ::unsetenv("WAYLAND_DISPLAY");
+  const auto first = render("a", {"--frames", "0:2"});
+  ASSERT_TRUE(first.count("images/tiny.0002.png"));
+  EXPECT_EQ(first.at("images/tiny.0002.png").substr(1, 3), "PNG");
+  EXPECT_NE(first.at("images/tiny.0000.png"), first.at("images/tiny.0002.png")) << "the flakes move";
+  EXPECT_EQ(render("b", {"--frames", "0:2", "--threads", "1", "--cache", folder / "other.cache"}), first);
+}
+
+TEST_F(Pictures, ComeInEveryImageFormatOfTheJob) {
+  const auto files =
+      render("a", {"--frames", "1", "--format", "png8", "--format", "png16", "--format", "exr"});
+  for (const char* name : {"images/tiny.0001.png", "png16/tiny.0001.png", "exr/tiny.0001.exr"})
+    EXPECT_TRUE(files.count(name)) << name;
+}
+
+TEST_F(Pictures, CarryTheCreditUnlessSwitchedOff) {
+  const auto with = render("a", {"--frames", "1"});
+  const auto without = render("b", {"--frames", "1", "--set", "render.show_caption=false"});
+  EXPECT_NE(with.at("images/tiny.0001.png"), without.at("images/tiny.0001.png"));
+}
+
+TEST_F(Pictures, SayThatMissingFramesAreSimulated) {
+  const auto outcome = test::runProgram(folder, {"render", scene, "--frames", "1", "--output", folder / "a"});
+  EXPECT_NE(outcome.error.find("2 frames to simulate"), std::string::npos) << outcome.error;
+  const auto again = test::runProgram(folder, {"render", scene, "--frames", "1", "--output", folder / "a"});
+  EXPECT_NE(again.error.find("0 frames to simulate"), std::string::npos) << again.error;
+}
+
+}  // namespace
+}  // namespace spin
