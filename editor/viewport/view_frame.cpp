@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/base/units.h"
 
@@ -62,9 +61,8 @@ std::optional<double> intersectBox(const ViewRay& ray, const Box3d& box) {
       if (low > 0.0 || high < 0.0) return std::nullopt;
       continue;
     }
-    const auto [near, far] = std::minmax(low / d, high / d);
-    enter = std::max(enter, near);
-    leave = std::min(leave, far);
+    enter = std::max(enter, std::min(low / d, high / d));
+    leave = std::min(leave, std::max(low / d, high / d));
   }
   if (enter > leave) return std::nullopt;
   return enter;

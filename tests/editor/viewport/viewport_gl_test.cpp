@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <QApplication>
+#include <QMainWindow>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "editor/viewport/gl_surface.h"
+#include "editor/viewport/viewport.h"
+#include "tests/editor/support/strict.h"
+#include "tests/editor/support/test_scene.h"
+
+using namespace spin;
+
+namespace {
+
+int different(const QImage& a, const QImage& b) {
+  int count = 0;
+  for (int y = 0; y < a.height(); y += 4)
+    for (int x = 0; x < a.width(); x += 4) count += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
+/// The viewport with a real OpenGL context.
+class ViewportGlTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() { test::failOnWarnings(); }
+
+  /// The scene is drawn: the picture is not one colour and changes with the camera.
+  void drawsTheScene() {
+    Viewport viewport;
+    QVERIFY(viewport.gl());
+    viewport.resize(640, 400);
+    viewport.setScene(test::hillSnapshot());
+    viewport.setCamera({{128, -80, 140}, {128, 128, 15}, 45});
+    QSignalSpy drawn(&viewport, &Viewport::drawn);
+    QSignalSpy failed(&viewport, &Viewport::failed);
+    viewport.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&viewport));
+    QTRY_VERIFY(drawn.count() > 0);
+    QCOMPARE(failed.count(), 0);
+    const QImage first = viewport.gl()->grabFramebuffer();
+    QImage flat = first;
+    flat.fill(first.pixelColor(first.width() / 2, first.height() / 2));
+    QVERIFY(different(first, flat) > 100);
+    const auto before = drawn.count();
+    viewport.setCamera({{128, 20, 60}, {128, 128, 15}, 45});
+    QTRY_VERIFY(drawn.count() > before);
+    QVERIFY(different(first, viewport.gl()->grabFramebuffer()) > 100);
+  }
+
+  /// Nothing changes, nothing is drawn; the overlay alone does not draw the scene.
+  void drawsOnlyWhenNeeded() {
+    Viewport viewport;
+    viewport.resize(320, 200);
+    viewport.setScene(test::hillSnapshot());
+    QSignalSpy drawn(&viewport, &Viewport::drawn);
+    viewport.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&viewport));
+    QTRY_VERIFY(drawn.count() > 0);
+    QTest::qWait(600);
+    const auto before = drawn.count();
+    viewport.gl()->updateOverlay();
+    QTest::qWait(200);
+    QCOMPARE(drawn.count(), before);
+  }
+
+  /// Many requests in one go are few pictures: never more than about 30 a second.
+  void limitsTheRate() {
+    Viewport viewport;
+    viewport.resize(160, 100);
+    viewport.setScene(test::hillSnapshot());
+    QSignalSpy drawn(&viewport, &Viewport::drawn);
+    viewport.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&viewport));
+    QTRY_VERIFY(drawn.count() > 0);
+    const auto before = drawn.count();
+    QElapsedTimer timer;
+    timer.start();
+    int step = 0;
+    while (timer.elapsed() < 500) {
+      viewport.setCamera({{128, -80 + 0.1 * ++step, 140}, {128, 128, 15}, 45});
+      QTest::qWait(1);
+    }
+    QVERIFY(drawn.count() - before <= 18);
+    QVERIFY(drawn.count() > before);
+  }
+
+  /// Another window takes the view over (a dock that floats): it has a new context and still draws.
+  void survivesReparenting() {
+    QMainWindow a, b;
+    auto* viewport = new Viewport;
+    viewport->setScene(test::hillSnapshot());
+    a.setCentralWidget(viewport);
+    a.resize(320, 200);
+    b.resize(320, 200);
+    QSignalSpy drawn(viewport, &Viewport::drawn);
+    a.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&a));
+    QTRY_VERIFY(drawn.count() > 0);
+    const auto before = drawn.count();
+    b.setCentralWidget(a.takeCentralWidget());
+    b.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&b));
+    viewport->setCamera({{128, -80, 140}, {128, 128, 15}, 45});
+    QTRY_VERIFY(drawn.count() > before);
+  }
+};
+
+int main(int argc, char** argv) {
+  setDefaultGlFormat();
+  QApplication application(argc, argv);
+  ViewportGlTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "viewport_gl_test.moc"
