@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "core/snow/model_parts.h"
+#include "tests/core/snow/snow_test_scene.h"
+
+namespace spin {
+namespace {
+
+using test::boxMesh;
+using test::modelOf;
+using test::sheetMesh;
+using test::TestScene;
+
+Frame framesOf(const SceneSnapshot& scene, int frames) {
+  SnowRun run(scene, makeBvhRayScene, 2);
+  EXPECT_TRUE(run.run(frames).ok());
+  return run.frame();
+}
+
+double flat(double, double) {
+  return 0.0;
+}
+
+TEST(ModelCover, RoofOfABoxCatchesWhatFallsOnItAndSheltersTheGround) {
+  TestScene test;
+  ModelNode placed;
+  placed.position = {20, 20, 0};
+  const SceneSnapshot scene =
+      test.land(21, 21, 2.0, flat).model("box", modelOf(boxMesh({-2, -3, 0}, {2, 3, 5})), placed).build();
+  const Frame frame = framesOf(scene, 1);
+  const CoverPart& cover = test::coverOf(frame);
+  const std::size_t roof = test::gridOf(cover, "box/0");
+  EXPECT_NEAR(test::areaOf(cover, roof), 24.0, 1e-4);
+  EXPECT_NEAR(test::massOn(cover, roof), 24.0 * 0.2, 1e-4);
+  EXPECT_NEAR(frame.info.budget.get("deposited"), 0.2 * 40 * 40, 0.2 * 1.5) << "roof and ground together";
+  EXPECT_LT(std::abs(frame.info.budget.relativeImbalance()), 1e-6);
+  EXPECT_LT(std::abs(frame.info.budget.get("sampling_residual") / frame.info.budget.get("emitted")), 0.005);
+  // Only the top faces up: one patch, at the roof's height.
+  std::size_t patches = 0;
+  for (const CoverGrid& grid : cover.layout->grids) patches += grid.node == "box" ? 1 : 0;
+  EXPECT_EQ(patches, 1u);
+  for (const float z : cover.layout->grids[roof].base.values)
+    EXPECT_TRUE(std::isnan(z) || std::abs(z - 5.0f) < 1e-5f);
+}
+
+TEST(ModelCover, TerrainAndFineGridsShareTheAreaExactly) {
+  TestScene test;
+  ModelNode a, b;
+  a.position = {13.2, 17.9, 0};
+  b.position = {40, 22, 0};
+  const SceneSnapshot scene =
+      test.land(30, 20, 2.0,
+                [](double x, double y) {
+                  return std::hypot(x - 16, y - 24) < 3 ? double(test::kHole) : 0.1 * x;
+                })
+          .model("a", modelOf(boxMesh({-1, -1, 0}, {1, 1, 2})), a)
+          .model("b", modelOf(boxMesh({-1, -1, 0}, {1, 1, 2})), b)
+          .build();
+  const SnowGroundPointer ground = makeSnowGround(scene);
+  double cover = 0.0, surface = 0.0;
+  std::size_t fine = 0;
+  for (const TerrainGrid& grid : ground->terrain) {
+    fine += grid.refinement > 0 ? 1 : 0;
+    for (const float v : ground->layout->grids[grid.grid].area.values) cover += static_cast<double>(v);
+  }
+  const TerrainSurface land(scene.terrain->heights);
+  for (int j = 0; j < 20; ++j)
+    for (int i = 0; i < 30; ++i) surface += land.cellArea(i, j);
+  EXPECT_EQ(fine, 2u);
+  EXPECT_NEAR(cover, surface, 1e-6 * surface);
+}
+
+TEST(ModelCover, NeighboursShareOneFineGrid) {
+  TestScene test;
+  ModelNode a, b;
+  a.position = {20, 20, 0};
+  b.position = {28, 22, 0};
+  const auto box = modelOf(boxMesh({-1, -1, 0}, {1, 1, 2}));
+  const SceneSnapshot scene = test.land(30, 20, 2.0, flat).model("a", box, a).model("b", box, b).build();
+  EXPECT_EQ(makeSnowGround(scene)->terrain.size(), 2u);
+}
+
+TEST(ModelCover, PatchAreasAddUpForATurnedAndTiltedRoof) {
+  TestScene test;
+  ModelNode placed;
+  placed.rotationDegrees = {20, 0, 37};
+  placed.scale = {1.5, 0.7, 1.0};
+  placed.coverCell = 0.23;
+  const auto sheet = modelOf(sheetMesh({0, 0, 3}, {4, 0, 3}, {0, 5, 3}));
+  const SceneSnapshot scene = test.model("roof", sheet, placed).build();
+  const SnowGroundPointer ground = makeSnowGround(scene);
+  ASSERT_EQ(ground->layout->grids.size(), 1u);
+  double area = 0.0;
+  for (const float v : ground->layout->grids[0].area.values) area += static_cast<double>(v);
+  EXPECT_NEAR(area, 4 * 1.5 * 5 * 0.7 * std::cos(degreesToRadians(20)), 1e-4);
+}
+
+TEST(ModelCover, SheetsCountWithEitherWindingAndBoxesOnlyOutside) {
+  const auto trianglesOf = [](const Mesh& mesh) { return placedTriangles(*modelOf(mesh), Transform{}); };
+  Mesh sheet = sheetMesh({0, 0, 0}, {0, 1, 0}, {1, 0, 0});  // wound downwards
+  EXPECT_EQ(upFacingParts(trianglesOf(sheet), 0.5).size(), 1u);
+  Mesh box = boxMesh({0, 0, 0}, {2, 2, 2});
+  ASSERT_EQ(upFacingParts(trianglesOf(box), 0.5).size(), 1u);
+  EXPECT_NEAR(upFacingParts(trianglesOf(box), 0.5)[0].planArea, 4.0, 1e-9);
+  for (std::size_t k = 0; k < box.indices.size(); k += 3) std::swap(box.indices[k], box.indices[k + 1]);
+  const auto inverted = upFacingParts(trianglesOf(box), 0.5);
+  ASSERT_EQ(inverted.size(), 1u) << "a box turned inside out still has one top";
+  EXPECT_NEAR(trianglesOf(box)[inverted[0].triangles[0]].corners[0].z, 2.0f, 1e-6f);
+}
+
+TEST(ModelCover, StackedShelvesHaveSeparatePatchesAndTheLowerStaysBare) {
+  Mesh shelves = sheetMesh({0, 0, 1}, {3, 0, 1}, {0, 3, 1});
+  const Mesh upper = sheetMesh({0, 0, 2}, {3, 0, 2}, {0, 3, 2});
+  for (const std::uint32_t i : upper.indices) shelves.indices.push_back(i + 4);
+  shelves.positions.insert(shelves.positions.end(), upper.positions.begin(), upper.positions.end());
+  TestScene test;
+  const Frame frame = framesOf(test.model("shelf", modelOf(shelves), ModelNode{}).build(), 1);
+  const CoverPart& cover = test::coverOf(frame);
+  ASSERT_EQ(cover.layout->grids.size(), 2u);
+  for (std::size_t g = 0; g < 2; ++g) {
+    const bool top = cover.layout->grids[g].base.values[0] > 1.5f;
+    EXPECT_NEAR(test::massOn(cover, g), top ? 9 * 0.2 : 0.0, 1e-4);
+  }
+}
+
+TEST(ModelCover, WithoutTerrainTheAccountsCloseToo) {
+  TestScene test;
+  test.weather.windSpeed = 1.5;
+  test.snowfall.fallSpreadDegrees = 15.0;
+  test.simulation.exposureRays = 64;
+  const Frame frame =
+      framesOf(test.model("box", modelOf(boxMesh({-2, -3, 0}, {2, 3, 5})), ModelNode{}).build(), 2);
+  EXPECT_LT(std::abs(frame.info.budget.relativeImbalance()), 1e-6);
+  EXPECT_LT(std::abs(frame.info.budget.get("sampling_residual") / frame.info.budget.get("emitted")), 0.005);
+  EXPECT_LT(std::abs(frame.info.figures.at("residual_models_share")), 0.005);
+  // An open level roof gets the rate; the windward wall sheds what hits it.
+  EXPECT_NEAR(frame.info.budget.get("deposited"), 0.4 * 24, 1e-3);
+  EXPECT_GT(frame.info.budget.get("shed"), 1.0);
+}
+
+TEST(ModelCover, WallShedsTheClosedFormUnderSlantingSnow) {
+  // One fall direction: flux through a vertical wall that faces the wind is rate x wind/fall speed x area.
+  TestScene test;
+  test.weather.windSpeed = 1.0;
+  test.weather.windFromDegrees = 270.0;
+  const auto wall = modelOf(sheetMesh({0, 0, 0}, {0, 4, 0}, {0, 0, 3}));
+  const Frame frame = framesOf(test.model("wall", wall, ModelNode{}).build(), 1);
+  const double speed = makeSizeSpectrum(kUnrimedDendriteAggregate, 0.002).meanFallSpeed;
+  const double drift = 0.002 * std::round(1.0 / speed / 0.002);
+  EXPECT_NEAR(frame.info.budget.get("shed"), 0.2 * drift * 12.0, 1e-3);
+}
+
+TEST(ModelCover, ModelThatCatchesNothingOnlyShelters) {
+  TestScene test;
+  ModelNode placed;
+  placed.position = {10, 10, 0};
+  placed.catchesSnow = false;
+  const SceneSnapshot scene =
+      test.land(11, 11, 2.0, flat).model("box", modelOf(boxMesh({-2, -2, 1}, {2, 2, 3})), placed).build();
+  const Frame frame = framesOf(scene, 1);
+  for (const CoverGrid& grid : test::coverOf(frame).layout->grids) EXPECT_EQ(grid.node, "terrain");
+  EXPECT_NEAR(frame.info.budget.get("shed"), 16 * 0.2, 0.05);
+  EXPECT_NEAR(frame.info.budget.get("deposited"), (400 - 16) * 0.2, 0.05);
+}
+
+TEST(ModelCover, PatchTravelsWithAMovingModelAndItsShelterMoves) {
+  TestScene test;
+  ModelNode placed;
+  placed.position = {10, 10, 0};
+  SceneSnapshot scene =
+      test.land(21, 11, 2.0, flat).model("car", modelOf(boxMesh({-1, -1, 0.5}, {1, 1, 2})), placed).build();
+  for (SceneNode& n : scene.nodes) {
+    if (n.id != "car") continue;
+    n.curves["position_m"].setKey({0.0, Vec3d{10, 10, 0}, Interpolation::Step});
+    n.curves["position_m"].setKey({1.0 / 24, Vec3d{30, 10, 0}, Interpolation::Step});
+  }
+  SnowRun run(scene, makeBvhRayScene, 2);
+  ASSERT_TRUE(run.run(1).ok());
+  const Frame first = run.frame();
+  ASSERT_TRUE(run.step().ok());
+  const Frame second = run.frame();
+  const CoverPart &a = test::coverOf(first), &b = test::coverOf(second);
+  EXPECT_EQ(a.layout, b.layout) << "the layout is shared while nothing about it changes";
+  const std::size_t roof = test::gridOf(b, "car/0");
+  EXPECT_NEAR(test::massOn(b, roof), 4 * 0.4, 1e-3);
+  // The ground under the first place: sheltered in the first step, open in the second.
+  const std::size_t fine = test::gridOf(b, "terrain/fine0");
+  const Raster<float>& base = b.layout->grids[fine].base;
+  const std::size_t under = base.index(base.column(10.1), base.row(10.1));
+  EXPECT_EQ(a.values[fine].swe[under], 0.0f);
+  EXPECT_NEAR(b.values[fine].swe[under], 0.2f, 1e-5f);
+  EXPECT_LT(std::abs(second.info.budget.relativeImbalance()), 1e-6);
+  EXPECT_LT(std::abs(second.info.budget.get("sampling_residual") / second.info.budget.get("emitted")), 0.005);
+}
+
+TEST(ModelCover, ModelThatTurnsKeepsNoSnow) {
+  TestScene test;
+  SceneSnapshot scene =
+      test.model("sign", modelOf(sheetMesh({0, 0, 3}, {4, 0, 3}, {0, 5, 3})), ModelNode{}).build();
+  for (SceneNode& n : scene.nodes)
+    if (n.id == "sign") n.curves["rotation_deg"].setKey({0.0, Vec3d{}, Interpolation::Linear});
+  const Frame frame = framesOf(scene, 1);
+  EXPECT_TRUE(test::coverOf(frame).layout->grids.empty());
+  EXPECT_NEAR(frame.info.budget.get("shed"), 0.2 * 20, 0.02);
+}
+
+TEST(ModelCover, TinyPartsAreShedAndNothingIsLost) {
+  Mesh leaves;
+  for (int k = 0; k < 200; ++k) {
+    const float x = 0.3f * static_cast<float>(k % 20), y = 0.3f * static_cast<float>(k / 20);
+    const Mesh leaf = sheetMesh({x, y, 2}, {x + 0.1f, y, 2}, {x, y + 0.1f, 2});
+    const auto first = static_cast<std::uint32_t>(leaves.positions.size());
+    leaves.positions.insert(leaves.positions.end(), leaf.positions.begin(), leaf.positions.end());
+    for (const std::uint32_t i : leaf.indices) leaves.indices.push_back(first + i);
+  }
+  TestScene test;
+  const Frame frame = framesOf(test.model("bush", modelOf(leaves), ModelNode{}).build(), 1);
+  EXPECT_TRUE(test::coverOf(frame).layout->grids.empty());
+  EXPECT_NEAR(frame.info.budget.get("shed"), 0.2 * 2.0, 0.01);
+  EXPECT_LT(std::abs(frame.info.budget.relativeImbalance()), 1e-6);
+}
+
+}  // namespace
+}  // namespace spin
