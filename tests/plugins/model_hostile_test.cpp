@@ -90,6 +90,26 @@ TEST_F(ModelHostile, MoreThanTheMemoryAllowed) {
   EXPECT_LT(test::peakMemory(), before + (std::size_t{32} << 20));
 }
 
+/// Nodes nested so deep that Assimp 5.2.5 overruns its stack.
+std::string deeplyNested() {
+  constexpr int kDepth = 100000;
+  std::string nodes;
+  for (int i = 1; i < kDepth; ++i) nodes += "{\"children\":[" + std::to_string(i) + "]},";
+  return replaced(replaced(test::boxGltf(""), "[{\"name\":\"here\"", "[" + nodes + "{\"name\":\"here\""),
+                  "\"nodes\":[0,1]", "\"nodes\":[0]");
+}
+
+TEST_F(ModelHostile, FileThatCrashesTheLibrary) {
+  const std::string path = write("deep.gltf", deeplyNested());
+#if defined(__SANITIZE_ADDRESS__)
+  EXPECT_FALSE(test::readModel(path).ok());  // the sanitizer turns the crash into an exit code
+#else
+  expectError(test::readModel(path), ErrorKind::BadInput, path, {"the reader crashed", "Segmentation fault"});
+#endif
+  // The next file is read as if nothing had been.
+  EXPECT_TRUE(test::readModel(write("box.glb", test::boxGlb())).ok());
+}
+
 TEST_F(ModelHostile, NothingToLayOnSnow) {
   const std::string path =
       write("points.ply",
