@@ -101,7 +101,9 @@ struct DensitySum {
 
   SPIN_HD_INLINE DensitySum(const SliceView&, const Group&) {}
   SPIN_HD_INLINE void add(const SliceView&, const Group& g, const Candidates& list) {
-    for (std::uint32_t c = 0; c < list.count; ++c) sum = sum + densityTerm(offsetTo(list, c, g.position));
+    Pack total = sum;  // a local one stays in a register
+    for (std::uint32_t c = 0; c < list.count; ++c) total = total + densityTerm(offsetTo(list, c, g.position));
+    sum = total;
   }
   SPIN_HD_INLINE void write(const SliceView& v, const Group& g) const {
     float lanes[kLanes];
@@ -130,13 +132,15 @@ struct ForceSum {
     drag = Pack::load(lane[4]);
   }
   SPIN_HD_INLINE void add(const SliceView& v, const Group& g, const Candidates& list) {
+    Vector total = sum;
     for (std::uint32_t c = 0; c < list.count; ++c) {
       const PairRecord& r = v.record[list.index[c]];
       const Vector relative{velocity.x - Pack::broadcast(&r.vx), velocity.y - Pack::broadcast(&r.vy),
                             velocity.z - Pack::broadcast(&r.vz)};
       addPairForce(offsetTo(list, c, g.position), pressure + Pack::broadcast(&r.pressureTerm),
-                   drag * Pack::broadcast(&r.inverseDensity), relative, sum);
+                   drag * Pack::broadcast(&r.inverseDensity), relative, total);
     }
+    sum = total;
   }
   SPIN_HD_INLINE void write(const SliceView& v, const Group& g) const {
     float x[kLanes], y[kLanes], z[kLanes];
