@@ -11,7 +11,6 @@
 #include <bit>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 
 #include "core/sim/serialize.h"
 
@@ -87,13 +86,6 @@ Error damaged(const std::string& path, const std::string& why) {
   return badInput("The cache file is damaged", path, why, "It is computed again when it is needed");
 }
 
-/// The rename itself must survive a power cut, not only the file's bytes.
-void flushFolder(const std::string& path) {
-  const std::string folder = std::filesystem::path(path).parent_path().string();
-  const Descriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (fd.get() >= 0) ::fsync(fd.get());
-}
-
 Result<CheckedFileHeader> readHeader(int fd, const std::string& path, Prefix& prefix) {
   struct stat info {};
   if (::fstat(fd, &info) != 0 || !S_ISREG(info.st_mode)) return damaged(path, "it is no regular file");
@@ -154,7 +146,6 @@ Status writeCheckedFile(const std::string& path, const CheckedFileHeader& header
     ::unlink(temporary.c_str());
     return writeError(path, number);
   }
-  flushFolder(path);
   return {};
 }
 

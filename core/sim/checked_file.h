@@ -26,7 +26,7 @@ struct CheckedFile {
 
 /// Cache files: magic, version, header, length and checksums of header and payload, so that every truncation
 /// and every flipped byte is found. Written to a temporary name, flushed to the disk and renamed: a file with
-/// the final name is whole, whenever the process dies.
+/// the final name is whole, whenever the process or the machine dies.
 Status writeCheckedFile(const std::string& path, const CheckedFileHeader& header,
                         const std::vector<char>& payload);
 

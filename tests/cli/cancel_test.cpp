@@ -37,7 +37,7 @@ TEST_F(Cancel, SignalsEndTheRunCleanlyWithinASecond) {
 }
 
 TEST_F(Cancel, ContinuingGivesTheFilesOfAnUninterruptedRun) {
-  constexpr int kLast = 60;
+  constexpr int kLast = 30;
   const auto expected = uninterrupted(kLast);
   for (const int number : {SIGINT, SIGKILL}) {
     const std::string name = "stopped" + std::to_string(number);
@@ -54,7 +54,7 @@ TEST_F(Cancel, ContinuingGivesTheFilesOfAnUninterruptedRun) {
 }
 
 TEST_F(Cancel, StoppedWhileExportingLeavesOnlyWholeFiles) {
-  constexpr int kLast = 200;
+  constexpr int kLast = 60;
   const auto expected = uninterrupted(kLast);
   std::filesystem::rename(folder / "whole.cache", folder / "part.cache");
   test::Program program(folder, arguments("part", kLast));
