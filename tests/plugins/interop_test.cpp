@@ -110,5 +110,27 @@ TEST(Interop, ModelSummaryAgreesWithAssimp) {
   expectAgreesWithAssimp(test::writeBytes(folder.file("box.glb"), test::boxGlb()));
 }
 
+/// Files made by another program: STL (z up, no unit) and FBX (centimetres, y up).
+TEST(Interop, StlAndFbxMadeByAssimpAreRead) {
+  if (!haveProgram("assimp")) GTEST_SKIP() << "assimp is not installed (package assimp-utils)";
+  const TempFolder folder;
+  test::writeBytes(folder.file("box.mtl"), test::boxMtl(""));
+  test::writeBytes(folder.file("box.obj"), test::boxObj());
+  for (const char* name : {"box.stl", "box.fbx"}) {
+    // Assimp 5.2.5 cannot read its own binary FBX, so the text form is made.
+    const char* format = std::string(name) == "box.fbx" ? "-ffbxa" : "-fstl";
+    outputOf("assimp export '" + folder.file("box.obj") + "' '" + folder.file(name) + "' " + format);
+    const auto import = test::readModel(folder.file(name));
+    ASSERT_TRUE(import.ok()) << import.error().text();
+    const bool fbx = std::string(name) == "box.fbx";
+    const Vec3d size = import->model->bounds().size(),
+                expected = fbx ? Vec3d{0.02, 0.03, 0.01} : Vec3d{2, 1, 3};
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(size[axis], expected[axis], 1e-5) << name << " axis " << axis;
+    EXPECT_EQ(import->model->triangleCount(), 12u);
+    EXPECT_EQ(lineOf(import->summary, "Unit"), fbx ? "0.01 m" : "1 m");
+  }
+}
+
 }  // namespace
 }  // namespace spin

@@ -47,6 +47,17 @@ TEST_F(TerrainImportTest, AsciiGridStandsRightInPlaceAndHeight) {
   EXPECT_TRUE(test::mentions(import->summary.warnings, "no coordinate system"));
 }
 
+TEST_F(TerrainImportTest, XyzListsBecomeAGrid) {
+  const std::string path =
+      test::writeBytes(m_folder.file("dem.xyz"), "1000 2020 7\n1010 2020 8\n1000 2010 5\n1010 2010 6.5\n");
+  const auto import = test::readTerrain(path);
+  ASSERT_TRUE(import.ok()) << import.error().text();
+  EXPECT_EQ(import->terrain->heights.cellSize, 10.0);
+  EXPECT_EQ(import->terrain->geo.origin, (Vec3d{1000.0, 2010.0, 5.0}));
+  EXPECT_EQ(import->terrain->heights.at(1, 0), 1.5f);
+  EXPECT_EQ(import->terrain->heights.at(1, 1), 3.0f);
+}
+
 TEST_F(TerrainImportTest, EpsgOfTheImportIsKept) {
   ImportOptions options;
   options.epsg = 31287;
