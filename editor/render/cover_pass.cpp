@@ -94,9 +94,12 @@ void CoverPass::addFine(std::size_t grid) {
   fine.geometry = makeFineCover(m_layout->grids[grid]);
   if (fine.geometry.bounds.empty()) return;
   std::vector<std::uint32_t> indices;
-  for (int s = 0; s < FineCover::kStrides; ++s) {
-    fine.first[s] = indices.size();
-    indices.insert(indices.end(), fine.geometry.indices[s].begin(), fine.geometry.indices[s].end());
+  for (const FineCover::Block& block : fine.geometry.blocks) {
+    fine.first.emplace_back();
+    for (std::size_t s = 0; s < FineCover::kStrides; ++s) {
+      fine.first.back()[s] = indices.size();
+      indices.insert(indices.end(), block.indices[s].begin(), block.indices[s].end());
+    }
   }
   fine.positions = GlBuffer::make();
   fine.snow = GlBuffer::make();
@@ -121,21 +124,15 @@ void CoverPass::addPatch(std::size_t grid) {
 
 void CoverPass::uploadPatchMeshes(Patches& patches) const {
   std::vector<Vec3f> positions;
-  std::vector<std::uint32_t> indices;
-  for (const auto& [grid, patch] : patches.parts) {
-    const auto first = static_cast<std::uint32_t>(positions.size());
+  for (const auto& [grid, patch] : patches.parts)
     positions.insert(positions.end(), patch.positions.begin(), patch.positions.end());
-    for (const std::uint32_t i : patch.indices) indices.push_back(first + i);
-  }
   for (const Vec3f& p : positions) patches.reach = std::max(patches.reach, static_cast<double>(length(p)));
   patches.vertices = positions.size();
-  patches.count = indices.size();
   patches.positions = GlBuffer::make();
   patches.snow = GlBuffer::make();
   patches.indices = GlBuffer::make();
-  if (indices.empty()) return;
-  glNamedBufferStorage(patches.positions.id(), bytesOf(positions), positions.data(), 0);
-  glNamedBufferStorage(patches.indices.id(), bytesOf(indices), indices.data(), 0);
+  if (!positions.empty())
+    glNamedBufferStorage(patches.positions.id(), bytesOf(positions), positions.data(), 0);
 }
 
 void CoverPass::updateCoarse(const SceneSnapshot& scene) {
@@ -176,13 +173,17 @@ void CoverPass::updateFine() {
 void CoverPass::updatePatches() {
   for (Patches& patches : m_patches) {
     std::vector<Vec4f> snow;
+    std::vector<std::uint32_t> indices;
     snow.reserve(patches.vertices);
     for (const auto& [grid, patch] : patches.parts) {
       std::vector<float> depth = m_cover->values[grid].depth;
       depth.resize(m_layout->grids[grid].base.size(), 0.0f);
       const auto part = patchCoverSnow(patch, depth);
+      appendCovered(patch, part, static_cast<std::uint32_t>(snow.size()), indices);
       snow.insert(snow.end(), part.begin(), part.end());
     }
+    patches.count = indices.size();
+    glNamedBufferData(patches.indices.id(), bytesOf(indices), indices.data(), GL_DYNAMIC_DRAW);
     glNamedBufferData(patches.snow.id(), bytesOf(snow), snow.data(), GL_DYNAMIC_DRAW);
   }
 }
@@ -210,7 +211,11 @@ void CoverPass::drawFine(const DrawContext& context) const {
         m_layout->grids[fine.grid].base.cellSize * context.pixelsPerUnit / std::max(distance, 1.0);
     const std::size_t stride = pixels > 3.0 ? 0 : pixels > 1.5 ? 1 : 2;
     bindBuffers(m_fineArray, fine.positions, fine.snow, sizeof(Vec3f), fine.indices);
-    drawIndices(fine.first[stride], fine.geometry.indices[stride].size());
+    for (std::size_t b = 0; b < fine.geometry.blocks.size(); ++b) {
+      const FineCover::Block& block = fine.geometry.blocks[b];
+      if (context.frustum.mayShow(block.bounds))
+        drawIndices(fine.first[b][stride], block.indices[stride].size());
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,7 +35,7 @@ class CoverPass {
     FineCover geometry;
     std::size_t grid = 0;
     GlBuffer positions, snow, indices;
-    std::size_t first[FineCover::kStrides] = {};
+    std::vector<std::array<std::size_t, FineCover::kStrides>> first;  ///< by block
   };
   struct Patches {
     std::string node;

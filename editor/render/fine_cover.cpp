@@ -12,17 +12,18 @@ namespace {
 /// Width in m over which the fine depth fades into the coarse one.
 constexpr double kBlendWidth = 1.5;
 
-/// 0, s, 2 s, ... and the last one.
-std::vector<int> steps(int count, int stride) {
+/// from, from + stride, ... and `to` itself.
+std::vector<int> steps(int from, int to, int stride) {
   std::vector<int> out;
-  for (int k = 0; k < count - 1; k += stride) out.push_back(k);
-  out.push_back(count - 1);
+  for (int k = from; k < to; k += stride) out.push_back(k);
+  out.push_back(to);
   return out;
 }
 
-std::vector<std::uint32_t> gridIndices(const CoverGrid& grid, int stride) {
-  const Raster<float>& base = grid.base;
-  const auto columns = steps(base.width, stride), rows = steps(base.height, stride);
+/// Triangles over the cells i0..i1 x j0..j1, where the surface exists.
+std::vector<std::uint32_t> blockIndices(const Raster<float>& base, int i0, int i1, int j0, int j1,
+                                        int stride) {
+  const auto columns = steps(i0, i1, stride), rows = steps(j0, j1, stride);
   std::vector<std::uint32_t> out;
   for (std::size_t b = 0; b + 1 < rows.size(); ++b)
     for (std::size_t a = 0; a + 1 < columns.size(); ++a) {
@@ -33,6 +34,19 @@ std::vector<std::uint32_t> gridIndices(const CoverGrid& grid, int stride) {
       for (const int v : {0, 1, 3, 0, 3, 2}) out.push_back(static_cast<std::uint32_t>(k[v]));
     }
   return out;
+}
+
+void addBlocks(const Raster<float>& base, FineCover& fine) {
+  for (int j = 0; j < base.height - 1; j += FineCover::kBlock)
+    for (int i = 0; i < base.width - 1; i += FineCover::kBlock) {
+      const int i1 = std::min(i + FineCover::kBlock, base.width - 1);
+      const int j1 = std::min(j + FineCover::kBlock, base.height - 1);
+      FineCover::Block block;
+      for (int s = 0; s < FineCover::kStrides; ++s)
+        block.indices[s] = blockIndices(base, i, i1, j, j1, 1 << s);
+      for (const std::uint32_t k : block.indices[0]) block.bounds.extend(fine.positions[k].to<double>());
+      if (!block.bounds.empty()) fine.blocks.push_back(std::move(block));
+    }
 }
 
 }  // namespace
@@ -54,7 +68,7 @@ FineCover makeFineCover(const CoverGrid& grid) {
       const double t = std::min(1.0, border * base.cellSize / width);
       fine.own.push_back(static_cast<float>(t * t * (3.0 - 2.0 * t)));
     }
-  for (int s = 0; s < FineCover::kStrides; ++s) fine.indices[s] = gridIndices(grid, 1 << s);
+  addBlocks(base, fine);
   fine.rectangle = {static_cast<float>(base.x(0)), static_cast<float>(base.y(0)),
                     static_cast<float>(base.x(base.width - 1)), static_cast<float>(base.y(base.height - 1))};
   return fine;

@@ -175,4 +175,14 @@ std::vector<Vec4f> patchCoverSnow(const PatchCover& patch, const std::vector<flo
   return snow;
 }
 
+void appendCovered(const PatchCover& patch, const std::vector<Vec4f>& snow, std::uint32_t first,
+                   std::vector<std::uint32_t>& out) {
+  constexpr float kVisible = 0.001f;  // m
+  for (std::size_t t = 0; t + 2 < patch.indices.size(); t += 3) {
+    const std::uint32_t a = patch.indices[t], b = patch.indices[t + 1], c = patch.indices[t + 2];
+    if (std::max({snow[a].x, snow[b].x, snow[c].x}) < kVisible) continue;
+    for (const std::uint32_t v : {a, b, c}) out.push_back(first + v);
+  }
+}
+
 }  // namespace spin

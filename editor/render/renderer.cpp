@@ -105,8 +105,8 @@ Status Renderer::initialise() {
 
 void Renderer::setScene(SnapshotPointer scene) {
   State& st = *m_state;
-  if (scene == st.scene) return;
   if (!scene) scene = std::make_shared<const SceneSnapshot>();
+  if (scene == st.scene) return;
   if (!st.scene || st.scene->terrain != scene->terrain) st.coverStale = true;
   st.scene = std::move(scene);
   st.terrain.setTerrain(st.scene->terrain);

@@ -101,7 +101,7 @@ std::vector<float> terrainShadowHeights(const Raster<float>& heights, Vec3d toSu
 
 std::vector<std::uint8_t> packTerrainLight(const Raster<float>& heights,
                                            const std::vector<Vec4f>& normalsAndSky,
-                                           const std::vector<float>& shadowHeights) {
+                                           const std::vector<float>& shadowHeights, float edge) {
   const auto toByte = [](float value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 255.0f)));
   };
@@ -109,8 +109,8 @@ std::vector<std::uint8_t> packTerrainLight(const Raster<float>& heights,
   bytes.reserve(heights.size() * 4);
   for (std::size_t k = 0; k < heights.size(); ++k) {
     const Vec4f& n = normalsAndSky[k];
-    const float above = std::isnan(heights.values[k]) ? 3.0f : heights.values[k] - shadowHeights[k];
-    const float t = std::clamp(above / 6.0f + 0.5f, 0.0f, 1.0f);
+    const float above = std::isnan(heights.values[k]) ? edge : heights.values[k] - shadowHeights[k];
+    const float t = std::clamp(above / edge, 0.0f, 1.0f);
     for (const float v :
          {128.0f + 127.0f * n.x, 128.0f + 127.0f * n.y, 255.0f * n.z, 255.0f * t * t * (3.0f - 2.0f * t)})
       bytes.push_back(toByte(v));

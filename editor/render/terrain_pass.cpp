@@ -84,8 +84,9 @@ void TerrainPass::update(const SceneSnapshot& scene, double filmTime, GroundDisp
   if (!m_terrain || toSun == m_toSun) return;
   m_toSun = toSun;
   const Raster<float>& h = m_terrain->heights;
-  const std::vector<std::uint8_t> light =
-      packTerrainLight(h, m_normalsAndSky, terrainShadowHeights(h, toSun));
+  const double climb = h.cellSize * std::max(toSun.z, 0.0) / std::max(std::hypot(toSun.x, toSun.y), 1e-3);
+  const std::vector<std::uint8_t> light = packTerrainLight(h, m_normalsAndSky, terrainShadowHeights(h, toSun),
+                                                           static_cast<float>(std::max(0.5 * climb, 0.01)));
   glTextureSubImage2D(m_light.id(), 0, 0, 0, h.width, h.height, GL_RGBA, GL_UNSIGNED_BYTE, light.data());
   glGenerateTextureMipmap(m_light.id());
 }

@@ -21,17 +21,15 @@ float sunVisibility(vec3 p) {
   return modelShadow(p) * texture(uTerrainLight, terrainUv(p.xy)).a;
 }
 
-// Share of the sky above a point that models leave open, from four wide looks into the zenith map.
+// Share of the sky above a point that models leave open, from two wide looks into the zenith map.
 float zenithVisibility(vec3 p) {
   vec3 s = (uZenithMatrix * vec4(p, 1.0)).xyz;
   float rim = max(abs(s.x), abs(s.y));
   vec2 uv = s.xy * 0.5 + 0.5;
   float d = s.z - 0.0012;
-  float open = texture(uZenithMap, vec3(uv + vec2(0.0065, 0.0024), d)) +
-               texture(uZenithMap, vec3(uv + vec2(-0.0024, 0.0065), d)) +
-               texture(uZenithMap, vec3(uv + vec2(-0.0065, -0.0024), d)) +
-               texture(uZenithMap, vec3(uv + vec2(0.0024, -0.0065), d));
-  return mix(1.0, 0.25 * open, uZenith.w * (1.0 - smoothstep(0.85, 0.98, rim)));
+  float open = texture(uZenithMap, vec3(uv + vec2(0.0058, 0.0037), d)) +
+               texture(uZenithMap, vec3(uv - vec2(0.0058, 0.0037), d));
+  return mix(1.0, 0.5 * open, uZenith.w * (1.0 - smoothstep(0.85, 0.98, rim)));
 }
 
 // Colour of the sky in a direction: what the haze fades to.

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/render/cover_geometry.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace spin {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+/// A level table of n x n full cells of 0.1 m at height z.
+CoverGrid table(int n, float z) {
+  CoverGrid grid{"t/0", "t", Raster<float>(n, n, 0.05, 0.05, 0.1, z), {}};
+  grid.area = grid.base.sameShape<float>(0.01f);
+  return grid;
+}
+
+TEST(PatchCover, SnowEndsAtTheEdgeOfTheSurfaceWithoutAWall) {
+  const CoverGrid grid = table(12, 1.0f);
+  const PatchCover patch = makePatchCover(grid);
+  const auto snow = patchCoverSnow(patch, std::vector<float>(grid.base.size(), 0.2f));
+  float left = 1e9f, right = -1e9f, deepest = 0.0f;
+  for (std::size_t v = 0; v < snow.size(); ++v) {
+    left = std::min(left, patch.positions[v].x);
+    right = std::max(right, patch.positions[v].x);
+    deepest = std::max(deepest, snow[v].x);
+    if (patch.cell[v] < 0) {
+      EXPECT_EQ(snow[v].x, 0.0f);
+    }
+  }
+  // Full cells: the surface ends at the cells' outer borders.
+  EXPECT_NEAR(left, 0.0f, 1e-5f);
+  EXPECT_NEAR(right, 1.2f, 1e-5f);
+  EXPECT_NEAR(deepest, 0.2f, 1e-4f);
+  const auto middle = static_cast<std::size_t>(patch.vertexOfCell[grid.base.index(6, 6)]);
+  EXPECT_NEAR(snow[middle].x, 0.2f, 1e-5f);
+  EXPECT_NEAR(snow[middle].w, 1.0f, 1e-4f) << "level snow faces up";
+}
+
+TEST(PatchCover, HalfCoveredCellsDrawTheEdgeIn) {
+  CoverGrid grid = table(8, 0.0f);
+  for (int j = 0; j < 8; ++j) grid.area.at(7, j) = 0.002f;  // a fifth of the last column
+  const PatchCover patch = makePatchCover(grid);
+  float right = -1e9f;
+  for (const Vec3f& p : patch.positions) right = std::max(right, p.x);
+  EXPECT_NEAR(right, 0.72f, 1e-4f);
+}
+
+TEST(PatchCover, AStepBetweenSurfacesStaysOpen) {
+  CoverGrid grid = table(10, 0.0f);
+  for (int j = 0; j < 10; ++j)
+    for (int i = 5; i < 10; ++i) grid.base.at(i, j) = 3.0f;
+  const PatchCover patch = makePatchCover(grid);
+  for (std::size_t t = 0; t < patch.indices.size(); t += 3) {
+    float low = 1e9f, high = -1e9f;
+    for (std::size_t k = 0; k < 3; ++k) {
+      low = std::min(low, patch.positions[patch.indices[t + k]].z);
+      high = std::max(high, patch.positions[patch.indices[t + k]].z);
+    }
+    EXPECT_LT(high - low, 1.0f);
+  }
+}
+
+TEST(PatchCover, BareTrianglesAreNotDrawn) {
+  const CoverGrid grid = table(12, 0.0f);
+  const PatchCover patch = makePatchCover(grid);
+  std::vector<float> depth(grid.base.size(), 0.0f);
+  std::vector<std::uint32_t> drawn;
+  appendCovered(patch, patchCoverSnow(patch, depth), 100, drawn);
+  EXPECT_TRUE(drawn.empty());
+  depth[grid.base.index(6, 6)] = 0.1f;
+  appendCovered(patch, patchCoverSnow(patch, depth), 100, drawn);
+  EXPECT_FALSE(drawn.empty());
+  EXPECT_LT(drawn.size(), patch.indices.size() / 3);
+  EXPECT_GE(*std::min_element(drawn.begin(), drawn.end()), 100u);
+}
+
+TEST(PatchCover, MissingCellsMakeNoSnow) {
+  CoverGrid grid = table(6, 0.0f);
+  for (float& z : grid.base.values) z = kNan;
+  EXPECT_TRUE(makePatchCover(grid).indices.empty());
+}
+
+TEST(FineCover, MeetsTheCoarseCoverAtItsBorderAndIsItselfInside) {
+  CoverGrid grid{"terrain/fine0", "terrain", Raster<float>(80, 80, 20.125, 20.125, 0.25, 5.0f), {}};
+  Raster<float> coarse(20, 20, 0.0, 0.0, 5.0);
+  for (int j = 0; j < 20; ++j)
+    for (int i = 0; i < 20; ++i) coarse.at(i, j) = 0.1f + 0.01f * static_cast<float>(i);
+  const FineCover fine = makeFineCover(grid);
+  const auto snow = fineCoverSnow(fine, grid, std::vector<float>(grid.base.size(), 0.5f), coarse);
+  for (int k = 0; k < 80; ++k) {
+    const float expected = 0.1f + 0.01f * static_cast<float>(grid.base.x(k) / 5.0);
+    EXPECT_NEAR(snow[grid.base.index(k, 0)].x, expected, 1e-5f);
+    EXPECT_NEAR(snow[grid.base.index(k, 79)].x, expected, 1e-5f);
+  }
+  EXPECT_NEAR(snow[grid.base.index(40, 40)].x, 0.5f, 1e-6f);
+  EXPECT_NEAR(snow[grid.base.index(40, 40)].y, 0.0f, 1e-5f);
+  EXPECT_GT(snow[grid.base.index(3, 40)].y, 0.05f) << "rises from the border inwards";
+}
+
+TEST(FineCover, BlocksCoverTheGridAtEveryStride) {
+  CoverGrid grid{"terrain/fine0", "terrain", Raster<float>(71, 45, 0.0, 0.0, 0.25, 0.0f), {}};
+  const FineCover fine = makeFineCover(grid);
+  for (int s = 0; s < FineCover::kStrides; ++s) {
+    double area = 0.0;
+    for (const auto& block : fine.blocks)
+      for (std::size_t t = 0; t < block.indices[s].size(); t += 3) {
+        const Vec3f a = fine.positions[block.indices[s][t]], b = fine.positions[block.indices[s][t + 1]],
+                    c = fine.positions[block.indices[s][t + 2]];
+        area += 0.5 * static_cast<double>((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+      }
+    EXPECT_NEAR(area, 70 * 44 * 0.0625, 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace spin
