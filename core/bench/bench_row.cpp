@@ -2,25 +2,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "core/base/check.h"
 #include "core/bench/bench_case.h"
 
 namespace spin {
+namespace {
+
+/// Metrics are members of a JSON object: a name may come once.
+void append(BenchRow& row, const std::string& name, BenchMetric metric) {
+  SPIN_CHECK(
+      std::none_of(row.metrics.begin(), row.metrics.end(), [&](const auto& m) { return m.first == name; }),
+      row.caseId + " has two metrics named " + name);
+  row.metrics.emplace_back(name, std::move(metric));
+}
+
+}  // namespace
 
 void BenchRow::addError(const std::string& name, double value, const std::string& unit, double bar) {
   // Written so that a NaN fails.
-  metrics.emplace_back(name, BenchMetric{value, unit, true, bar, value <= bar, false});
+  append(*this, name, BenchMetric{value, unit, true, bar, value <= bar, false});
 }
 
 void BenchRow::addFigure(const std::string& name, double value, const std::string& unit) {
-  metrics.emplace_back(name, BenchMetric{value, unit, false, 0.0, true, false});
+  append(*this, name, BenchMetric{value, unit, false, 0.0, true, false});
 }
 
 void BenchRow::addTime(const std::string& name, double value, const std::string& unit) {
-  metrics.emplace_back(name, BenchMetric{value, unit, false, 0.0, true, true});
+  append(*this, name, BenchMetric{value, unit, false, 0.0, true, true});
 }
 
 void BenchRow::addRate(const std::string& name, double value, const std::string& unit, double bar) {
-  metrics.emplace_back(name, BenchMetric{value, unit, true, bar, value >= bar, true});
+  append(*this, name, BenchMetric{value, unit, true, bar, value >= bar, true});
 }
 
 bool BenchRow::pass() const {

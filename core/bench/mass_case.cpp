@@ -38,7 +38,7 @@ Result<BenchRow> measure(const BenchOptions& options, double wind, int rays, int
   if (!status) return status.error();
   const Frame last = run.frame();
   row.addError("imbalance", imbalance, "1", 1e-6);
-  row.addError("sampling_residual", residual, "1", 0.005);
+  row.addError("sampling_residual_share", residual, "1", 0.005);
   for (const BudgetTerm& term : last.info.budget.terms) row.addFigure(term.name, term.kilograms, "kg");
   for (const auto& [name, value] : last.info.figures)
     if (name.rfind("residual_", 0) == 0) row.addFigure(name, value, "1");

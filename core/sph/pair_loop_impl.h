@@ -83,6 +83,7 @@ SPIN_HD_INLINE void appendNear(const SliceView& v, const Group& g, const RowRang
   std::uint32_t bits = lessBits(mulAdd(oz, oz, mulAdd(oy, oy, ox * ox)), Pack(1.0f));
   const std::uint32_t left = range.end - at;
   if (left < static_cast<std::uint32_t>(kLanes)) bits &= (1u << left) - 1u;
+  if (bits == 0) return;
   const Compressor keep(bits);
   keep.store(x, list.x + list.count);
   keep.store(y, list.y + list.count);

@@ -109,6 +109,12 @@ TEST(BenchRowTest, NotANumberMissesItsBar) {
   EXPECT_FALSE(row.pass());
 }
 
+TEST(BenchRowDeathTest, AMetricHasItsNameForItself) {
+  BenchRow row;
+  row.addFigure("mass", 1, "kg");
+  EXPECT_DEATH(row.addError("mass", 1, "1", 2), "two metrics named mass");
+}
+
 TEST(BenchJsonTest, ReadsBackWhatItWrote) {
   BenchRow skipped;
   skipped.caseId = "absent";
@@ -134,9 +140,9 @@ TEST(BenchJsonTest, ReadsBackWhatItWrote) {
 TEST(BenchJsonTest, BarAndPassAreNullWhereThereIsNone) {
   BenchRow row;
   row.addFigure("count", 3, "");
-  const auto json = parseJson(benchJson({row}));
+  const auto json = parseBenchJson(benchJson({row}));
   ASSERT_TRUE(json.ok());
-  const JsonValue* count = json->items[0].find("metrics")->find("count");
+  const BenchJson* count = json->items[0].find("metrics")->find("count");
   ASSERT_NE(count, nullptr);
   EXPECT_TRUE(count->find("bar")->isNull());
   EXPECT_TRUE(count->find("pass")->isNull());
@@ -156,15 +162,15 @@ TEST(BenchJsonTest, RefusesBrokenText) {
   const char* broken[] = {"",     "[",        "[1,]",        "{\"a\":1,\"a\":2}", "[01]",
                           "[1.]", "[1e999]",  "\"\\u12g4\"", "\"\\ud800\"",       "[nul]",
                           "[] x", "\"a\nb\"", "{a:1}"};
-  for (const char* text : broken) EXPECT_FALSE(parseJson(text).ok()) << text;
-  EXPECT_FALSE(parseJson(std::string(100000, '[')).ok());
+  for (const char* text : broken) EXPECT_FALSE(parseBenchJson(text).ok()) << text;
+  EXPECT_FALSE(parseBenchJson(std::string(100000, '[')).ok());
   EXPECT_FALSE(readBenchJson("{}").ok());
   EXPECT_FALSE(readBenchJson("[{\"case\":\"x\"}]").ok());
   EXPECT_FALSE(readBenchJson("[3]").ok());
 }
 
 TEST(BenchJsonTest, ReadsEscapes) {
-  const auto json = parseJson(R"("\u00e9\u4e2d\ud83d\ude00\n\"")");
+  const auto json = parseBenchJson(R"("\u00e9\u4e2d\ud83d\ude00\n\"")");
   ASSERT_TRUE(json.ok());
   EXPECT_EQ(json->text, "\xC3\xA9\xE4\xB8\xAD\xF0\x9F\x98\x80\n\"");
 }
