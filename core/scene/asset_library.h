@@ -104,8 +104,10 @@ std::string sourceOf(const SceneNode& node);
 Status checkLayer(const SceneNode& node, const PaintedLayer& layer);
 
 /// Loads the painted layers that the nodes name into scene.nodes()[..].painted; problems become issues.
+/// Fails only when cancelled.
 Status loadPaintedLayers(Scene& scene, const std::string& sceneFile, AssetReader& reader,
-                         const PathPolicy& policy, std::vector<AssetLibrary::Issue>& issues);
+                         const PathPolicy& policy, std::vector<AssetLibrary::Issue>& issues,
+                         const CancelToken& cancel = {});
 /// Writes painted layers to NAME.assets/ beside the scene and sets the nodes' `source`; through temporary
 /// files.
 Status savePaintedLayers(Scene& scene, const std::string& sceneFile, const TerrainData& terrain,

@@ -79,7 +79,8 @@ Status checkLayer(const SceneNode& node, const PaintedLayer& layer) {
 }
 
 Status loadPaintedLayers(Scene& scene, const std::string& sceneFile, AssetReader& reader,
-                         const PathPolicy& policy, std::vector<AssetLibrary::Issue>& issues) {
+                         const PathPolicy& policy, std::vector<AssetLibrary::Issue>& issues,
+                         const CancelToken& cancel) {
   for (const SceneNode& listed : scene.nodes()) {
     SceneNode& node = *scene.find(listed.id);
     const bool isLayer = node.as<GroundTypeLayerNode>() || node.as<GroundTemperatureLayerNode>();
@@ -87,7 +88,9 @@ Status loadPaintedLayers(Scene& scene, const std::string& sceneFile, AssetReader
     if (!isLayer || source.empty() || !std::holds_alternative<std::monostate>(node.painted)) continue;
     const Result<FoundAsset> found = findAsset(sceneFile, source, policy, {});
     Result<PaintedLayer> layer =
-        found ? reader.readLayer(found->path, CancelToken()) : Result<PaintedLayer>(found.error());
+        found ? reader.readLayer(found->path, cancel) : Result<PaintedLayer>(found.error());
+    if (cancel.cancelled())
+      return Error{ErrorKind::Cancelled, "Reading the painted layers was stopped", {}, {}, {}};
     const Status status = layer ? checkLayer(node, *layer) : Status(layer.error());
     if (!status) {
       issues.push_back({node.id, status.error(), false});

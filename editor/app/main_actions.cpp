@@ -14,6 +14,7 @@
 #include "editor/app/import_flow.h"
 #include "editor/app/main_window.h"
 #include "editor/app/scene_tools.h"
+#include "editor/commands/edits.h"
 #include "editor/timeline/timeline_panel.h"
 #include "editor/viewport/viewport.h"
 
@@ -63,7 +64,7 @@ void MainActions::addFileMenu() {
   add(menu, "fileSaveAs", tr("Save &as..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
       [&files] { files.saveAs(); });
   add(menu, "fileCollect", tr("&Collect files beside the scene"), {}, [this] {
-    const Status status = m_window->document().collectFiles();
+    const Status status = edit::collectFiles(m_window->document());
     if (!status.ok()) m_window->files().showError(QString::fromStdString(status.error().text()));
   });
   menu->addSeparator();

@@ -58,6 +58,10 @@ Status moveNode(SceneDocument& document, std::size_t from, std::size_t to);
 Status renameNode(SceneDocument& document, const std::string& node, const QString& name);
 Status setNodeEnabled(SceneDocument& document, const std::string& node, bool enabled);
 
+/// Copies all files from outside the scene's folder into its NAME.assets/, with the files they refer to, and
+/// makes the nodes use the copies: one undo step. The scene must have been saved once.
+Status collectFiles(SceneDocument& document);
+
 /// Takes over a painted layer; the undo step keeps only the tiles that changed.
 Status paint(SceneDocument& document, const std::string& node, const PaintedLayer& layer, Session session);
 

@@ -56,10 +56,6 @@ class SceneDocument : public QObject {
   bool isSaving() const { return m_saveJob != nullptr; }
   /// Waits for the save in progress, for closing the window and for tests.
   Status finishSaving();
-  /// Copies all files the scene uses into its folder NAME.assets/ and makes the nodes use the copies (one
-  /// undo step per node). The scene must have been saved once.
-  Status collectFiles();
-
   /// Files opened or saved last, newest first, existing ones only.
   QStringList recentFiles() const;
   /// Lets nodes use files from a folder outside the scene's; kept in the user's settings.
