@@ -216,13 +216,19 @@ void Renderer::draw(unsigned framebuffer, const RenderCamera& camera, double fil
   State& st = *m_state;
   if (!st.scene) setScene(nullptr);
   const GlStateGuard guard;
-  if (!st.display.prepare(options.width, options.height, GL_SRGB8_ALPHA8, 1)) return;
+  // A moving view is drawn with fewer pixels and enlarged: software drivers are bound by pixels.
+  const double scale = std::clamp(options.quality, 0.4, 1.0);
+  RenderOptions inner = options;
+  inner.width = std::max(1, static_cast<int>(std::lround(scale * options.width)));
+  inner.height = std::max(1, static_cast<int>(std::lround(scale * options.height)));
+  if (!st.display.prepare(inner.width, inner.height, GL_SRGB8_ALPHA8, 1)) return;
   glEnable(GL_FRAMEBUFFER_SRGB);
-  st.drawPasses(st.display.framebuffer(), camera, filmTime, options);
+  st.drawPasses(st.display.framebuffer(), camera, filmTime, inner);
   // With the conversion off the encoded bytes are copied as they are.
   glDisable(GL_FRAMEBUFFER_SRGB);
-  glBlitNamedFramebuffer(st.display.framebuffer(), framebuffer, 0, 0, options.width, options.height, 0, 0,
-                         options.width, options.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  const bool same = inner.width == options.width && inner.height == options.height;
+  glBlitNamedFramebuffer(st.display.framebuffer(), framebuffer, 0, 0, inner.width, inner.height, 0, 0,
+                         options.width, options.height, GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
 }
 
 Result<std::vector<float>> Renderer::drawLinear(const RenderCamera& camera, double filmTime,

@@ -32,13 +32,16 @@ struct RenderOptions {
   bool showSnow = true;
   GroundDisplay ground = GroundDisplay::Natural;
   std::string selectedNode;  ///< outlined; empty = none
-  double quality = 1.0;      ///< < 1 draws coarser terrain and fewer flakes (while the user moves the view)
+  /// < 1 draws coarser terrain, fewer flakes and, in draw(), fewer pixels that are enlarged (while the user
+  /// moves the view).
+  double quality = 1.0;
 };
 
 /// Draws a snapshot and a frame into the bound framebuffer of the current OpenGL 4.5 core context. No
 /// widgets, no Qt: the viewport and the command line use the same object. All calls need that context
-/// current. Colours are written tone-mapped and sRGB-encoded into 8-bit targets, linear into float targets
-/// (see drawLinear).
+/// current. One tone curve (exposure of the scene, linear, soft shoulder above 0.7) serves both ways out:
+/// draw() writes its values sRGB-encoded, drawLinear() returns them as they are, so that whoever encodes them
+/// as sRGB gets what the viewport shows. The same input gives the same bytes on the same OpenGL renderer.
 class Renderer {
  public:
   Renderer();
@@ -53,9 +56,12 @@ class Renderer {
   void setScene(SnapshotPointer scene);
   /// Takes over a frame's cover and flakes; null = bare scene.
   void setFrame(FramePointer frame);
-  /// Draws at a film time into `framebuffer` (0 = default), display-referred.
+  /// Draws at a film time into the lower left of `framebuffer` (0 = default), sRGB-encoded; the target's own
+  /// depth buffer is not touched. Leaves blending, depth test and clip control as OpenGL starts with.
   void draw(unsigned framebuffer, const RenderCamera& camera, double filmTime, const RenderOptions& options);
-  /// Draws into a multisampled float target of its own and returns linear RGBA, rows from the top.
+  /// Draws into a multisampled half-float target of its own and returns display-referred linear RGBA (0..1,
+  /// alpha 1 where anything or the sky is), rows from the top. `samples` is clamped to what the driver has.
+  /// Fails on sizes that the driver refuses.
   Result<std::vector<float>> drawLinear(const RenderCamera& camera, double filmTime,
                                         const RenderOptions& options, int samples);
 

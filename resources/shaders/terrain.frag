@@ -55,18 +55,18 @@ void main() {
   float nearness = 1.0 - smoothstep(15.0, 40.0, distance);
   vec4 close = texture(uNoise, vPosition.yx * (1.0 / 5.3));
   vec4 grain = texture(uNoise, vPosition.xy * (1.0 / 0.83));
-  vec2 drift = texture(uNoise, vPosition.xy * (1.0 / 17.0)).gb - 0.5;
   vec2 wrinkle = close.gb - 0.5 + (grain.gb - 0.5) * (0.55 * nearness);
   float detail = close.r + (grain.r - 0.5) * (0.9 * nearness), white = close.a;
   sunlit *= modelShadow(vPosition);
 #else
-  vec2 wrinkle = broad.bg - 0.5, drift = broad.gb - 0.5;
+  vec2 wrinkle = broad.bg - 0.5;
   float detail = broad.r, white = broad.a;
 #endif
   float coverage = snowCoverage(depth, roughness, clamp(0.30 + 1.6 * (detail - 0.5) + 0.55 * white, 0.0, 1.0));
-  vec3 bare = normalize(normal + vec3(wrinkle * 1.4 + (broad.gb - 0.5) * 0.8, 0.0));
+  vec2 drift = broad.gb - 0.5;
+  vec3 bare = normalize(normal + vec3(wrinkle * 1.4 + drift * 0.8, 0.0));
   vec3 soil = groundColour(ground, broad.r, detail, roughness) * diffuseLight(bare, sunlit, skyOpen);
-  vec3 n = normalize(snowNormal + vec3(wrinkle * 0.10 + drift * 0.22, 0.0));
+  vec3 n = normalize(snowNormal + vec3(wrinkle * 0.13 + drift * 0.20, 0.0));
   vec3 snow = snowColour(n, sunlit, skyOpen);
 #ifdef NEAR
   snow += snowSparkle(grain.a, n, (uEye.xyz - vPosition) / distance, distance, sunlit);
