@@ -13,16 +13,11 @@
 #include "core/base/host_device.h"
 #include "gpu/cuda_stage_timer.cuh"
 #include "gpu/device_array.cuh"
+#include "gpu/for_each_kernel.cuh"
 
 /// The backend concept of core/base/parallel.h on a CUDA card. Kernels are the same trivially copyable
 /// structs with a SPIN_HD operator()(i). No CUDA type leaves gpu/.
 namespace spin {
-
-template <class Kernel>
-__global__ void forEachKernel(Kernel kernel, std::size_t n) {
-  const std::size_t i = static_cast<std::size_t>(blockIdx.x) * blockDim.x + threadIdx.x;
-  if (i < n) kernel(i);
-}
 
 /// Block b combines [b * kReduceChunk, ...) in a fixed tree.
 template <int kBlock, class T, class Map, class Combine>

@@ -26,7 +26,7 @@ def kernels(report):
             name, memory = match.group(1), None
         elif match := MEMORY.search(line):
             memory = [int(group) for group in match.groups()]
-        elif (match := REGISTERS.search(line)) and name and memory:
+        elif (match := REGISTERS.search(line)) and name and memory is not None:
             yield name, memory[0], memory[1] + memory[2], int(match.group(1))
             name = None
 
@@ -37,8 +37,8 @@ def main():
     arch = f"sm_{number.group(0)}" if number else "sm_90"
     with tempfile.TemporaryDirectory() as folder:
         command = [nvcc, "-std=c++20", "-O3", "-DNDEBUG", f"-arch={arch}", "-I", str(root), "-Xptxas", "-v",
-                   "--expt-relaxed-constexpr", "-c", str(root / "gpu/sph_slice_cuda.cu"),
-                   "-o", str(pathlib.Path(folder) / "slice.o")]
+                   "--expt-relaxed-constexpr", "-cubin", str(root / "tests/gpu/slice_kernels.cu"),
+                   "-o", str(pathlib.Path(folder) / "slice.cubin")]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"nvcc failed:\n{done.stderr}")
@@ -46,7 +46,7 @@ def main():
     for name, stack, spilled, registers in kernels(done.stdout + done.stderr):
         short = next((part for part in re.findall(r"\d+([A-Za-z]+Kernel)", name) if part != "forEachKernel"), None)
         if short is None or "spin" not in name:
-            continue  # a kernel of CUB
+            continue
         found.add(short)
         print(f"{arch} {short}: {registers} registers, {stack} bytes of stack, {spilled} bytes spilled")
         if stack or spilled:
