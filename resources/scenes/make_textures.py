@@ -167,31 +167,31 @@ def needles(path):
 
     def twig(x0, y0, angle, length):
         x1, y1 = x0 + math.cos(angle) * length, y0 - math.sin(angle) * length
-        count = int(length / 2.1)
+        count = int(length / 2.6)
         for k in range(count + 1):
             t = k / max(1, count)
             x, y = x0 + (x1 - x0) * t, y0 + (y1 - y0) * t
             for s in (-1, 1):
                 a = angle + s * (0.75 + 0.35 * rng.random())
-                n = (7 + 5 * rng.random()) * (1 - 0.35 * t)
+                n = (6.5 + 3.5 * rng.random()) * (1 - 0.45 * t)
                 g = 0.75 + 0.5 * rng.random()
-                stroke(x, y, x + math.cos(a) * n, y - math.sin(a) * n, 0.95, (46 * g, 72 * g, 40 * g))
+                stroke(x, y, x + math.cos(a) * n, y - math.sin(a) * n, 0.95, (40 * g, 60 * g, 36 * g))
         stroke(x0, y0, x1, y1, 1.1, (66, 54, 38))
 
     middle = size / 2
     y = size - 4.0
     while y > 14:
         t = 1 - y / size
-        reach = (size * 0.5) * (1 - 0.72 * t) * (0.55 + 0.45 * min(1, t * 5))
+        reach = (size * 0.49) * (1 - t) ** 0.62 * (0.6 + 0.4 * min(1, t * 6))
         for s in (-1, 1):
             lean = 0.55 + 0.45 * t + 0.12 * (rng.random() - 0.5)
             twig(middle, y, math.pi / 2 - s * (math.pi / 2 - lean), reach * (0.82 + 0.18 * rng.random()))
-        y -= 8.5
+        y -= 15.0 - 4.0 * t
     twig(middle, size - 2.0, math.pi / 2, size * 0.97)
     pixels = bytearray()
     for p in colour:
         # Clear texels take the needles' colour: filtering must not bleed black.
-        rgb = p[:3] if p[3] > 0 else (44, 68, 38)
+        rgb = p[:3] if p[3] > 0 else (38, 56, 34)
         pixels += bytes([int(rgb[0]) & ~3, int(rgb[1]) & ~3, int(rgb[2]) & ~3, int(255 * p[3])])
     write_png(path, size, size, pixels, 4)
 

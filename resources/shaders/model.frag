@@ -17,7 +17,7 @@ void main() {
 #ifdef CUTOUT
   // Mip levels thin out cut-outs; raising alpha with the level keeps their area.
   float level = max(textureQueryLod(uTexture, vUv).x, 0.0);
-  if (base.a * (1.0 + 0.12 * level) < 0.5) discard;
+  if (base.a * (1.0 + 0.22 * level) < 0.5) discard;
 #endif
   vec3 toEye = normalize(uEye.xyz - vPosition);
   vec3 normal = normalize(vNormal);
