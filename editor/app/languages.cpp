@@ -19,19 +19,19 @@ QString folder() {
 
 QStringList availableLanguages() {
   QStringList languages{QStringLiteral("en")};
-  for (const QString& name :
-       QDir(folder()).entryList({QStringLiteral("spindrift_*.qm")}, QDir::Files, QDir::Name))
-    languages << name.mid(10).chopped(3);
+  const QDir lying(folder());
+  for (const QString& name : lying.entryList({QStringLiteral("spindrift_*.qm")}, QDir::Files, QDir::Name))
+    if (const QString code = name.mid(10).chopped(3); !languages.contains(code)) languages << code;
   return languages;
 }
 
 bool loadLanguage(QCoreApplication& application, const QString& language) {
   const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
   QLocale::setDefault(locale);
-  if (locale.language() == QLocale::English || locale.language() == QLocale::C)
-    return language.isEmpty() || language.startsWith(QStringLiteral("en"));
   auto* own = new QTranslator(&application);
-  if (!own->load(locale, QStringLiteral("spindrift"), QStringLiteral("_"), folder())) {
+  // The C locale speaks English too, and English has plural forms to load.
+  const QLocale spoken = locale.language() == QLocale::C ? QLocale(QLocale::English) : locale;
+  if (!own->load(spoken, QStringLiteral("spindrift"), QStringLiteral("_"), folder())) {
     delete own;
     return false;
   }

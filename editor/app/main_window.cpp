@@ -37,7 +37,7 @@ constexpr int kLayoutVersion = 1;
 constexpr int kMessageMilliseconds = 8000;
 
 /// Settings of the only node of a type; defaults without one.
-template <class T>
+template <typename T>
 T settingsOf(const Scene& scene, const NodeType& type) {
   const SceneNode* node = scene.firstOf(type);
   const T* data = node ? node->as<T>() : nullptr;

@@ -1,0 +1,1523 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="cs" sourcelanguage="en">
+<context>
+    <name>Edits</name>
+    <message>
+        <source>Collect files</source>
+        <translation>Sebrat soubory</translation>
+    </message>
+    <message>
+        <source>Switch on %1</source>
+        <translation>Zapnout: %1</translation>
+    </message>
+    <message>
+        <source>Switch off %1</source>
+        <translation>Vypnout: %1</translation>
+    </message>
+    <message>
+        <source>Paint %1</source>
+        <translation>Malovat: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Properties</name>
+    <message>
+        <source>Position</source>
+        <translation>Poloha</translation>
+    </message>
+    <message>
+        <source>Place of the eye in local metres.</source>
+        <translation>Místo oka v místních metrech.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Cíl</translation>
+    </message>
+    <message>
+        <source>Point the camera looks at.</source>
+        <translation>Bod, na který kamera hledí.</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Zorné pole</translation>
+    </message>
+    <message>
+        <source>Vertical angle of view.</source>
+        <translation>Svislý úhel záběru.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>The view that pictures are rendered from.</source>
+        <translation>Pohled, ze kterého se obrazy vykreslují.</translation>
+    </message>
+    <message>
+        <source>Quartz</source>
+        <translation>Křemen</translation>
+    </message>
+    <message>
+        <source>Sand</source>
+        <translation>Písek</translation>
+    </message>
+    <message>
+        <source>Soil</source>
+        <translation>Půda</translation>
+    </message>
+    <message>
+        <source>Vegetation</source>
+        <translation>Vegetace</translation>
+    </message>
+    <message>
+        <source>Rock</source>
+        <translation>Skála</translation>
+    </message>
+    <message>
+        <source>Ice</source>
+        <translation>Led</translation>
+    </message>
+    <message>
+        <source>Asphalt</source>
+        <translation>Asfalt</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <translation>Voda</translation>
+    </message>
+    <message>
+        <source>Base type</source>
+        <translation>Základní typ</translation>
+    </message>
+    <message>
+        <source>Ground where nothing is painted.</source>
+        <translation>Povrch tam, kde není nic namalováno.</translation>
+    </message>
+    <message>
+        <source>Painted file</source>
+        <translation>Malovaný soubor</translation>
+    </message>
+    <message>
+        <source>8-bit PNG of the terrain&apos;s size with one ground type per pixel; written when the scene is saved.</source>
+        <translation>Osmibitové PNG velikosti terénu s jedním typem povrchu na pixel; zapisuje se při uložení scény.</translation>
+    </message>
+    <message>
+        <source>Base temperature</source>
+        <translation>Základní teplota</translation>
+    </message>
+    <message>
+        <source>Ground temperature where nothing is painted.</source>
+        <translation>Teplota povrchu tam, kde není nic namalováno.</translation>
+    </message>
+    <message>
+        <source>GeoTIFF of the terrain&apos;s size with temperatures in K; written when the scene is saved.</source>
+        <translation>GeoTIFF velikosti terénu s teplotami v K; zapisuje se při uložení scény.</translation>
+    </message>
+    <message>
+        <source>Ground types</source>
+        <translation>Typy povrchu</translation>
+    </message>
+    <message>
+        <source>Painted materials of the ground.</source>
+        <translation>Malované materiály povrchu.</translation>
+    </message>
+    <message>
+        <source>Ground temperature</source>
+        <translation>Teplota povrchu</translation>
+    </message>
+    <message>
+        <source>Painted temperature of the ground.</source>
+        <translation>Malovaná teplota povrchu.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Šířka</translation>
+    </message>
+    <message>
+        <source>Width of pictures.</source>
+        <translation>Šířka obrazů.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Výška</translation>
+    </message>
+    <message>
+        <source>Height of pictures.</source>
+        <translation>Výška obrazů.</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Vzorky</translation>
+    </message>
+    <message>
+        <source>Samples per pixel against jagged edges: 1, 2, 4 or 8.</source>
+        <translation>Vzorky na pixel proti zubatým hranám: 1, 2, 4 nebo 8.</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Expozice</translation>
+    </message>
+    <message>
+        <source>Brightness in stops: +1 is twice as bright.</source>
+        <translation>Jas ve stupních clony: +1 je dvakrát světlejší.</translation>
+    </message>
+    <message>
+        <source>Snowfall haze</source>
+        <translation>Zákal sněžením</translation>
+    </message>
+    <message>
+        <source>How much of its real extinction falling snow shows in the distance: 1 is what the eye would see, less keeps the view open.</source>
+        <translation>Jaký díl skutečného zeslabení světla padající sníh v dálce ukáže: 1 je to, co by vidělo oko, méně ponechá výhled otevřený.</translation>
+    </message>
+    <message>
+        <source>Show flakes</source>
+        <translation>Ukázat vločky</translation>
+    </message>
+    <message>
+        <source>Draw the falling flakes.</source>
+        <translation>Kreslit padající vločky.</translation>
+    </message>
+    <message>
+        <source>Show caption</source>
+        <translation>Ukázat popisek</translation>
+    </message>
+    <message>
+        <source>Print the caption and the credit line on pictures.</source>
+        <translation>Tisknout na obrazy popisek a uvedení zdroje.</translation>
+    </message>
+    <message>
+        <source>Caption</source>
+        <translation>Popisek</translation>
+    </message>
+    <message>
+        <source>Text printed on pictures.</source>
+        <translation>Text tištěný na obrazy.</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Snímková frekvence</translation>
+    </message>
+    <message>
+        <source>Pictures per second of film.</source>
+        <translation>Obrazy za sekundu filmu.</translation>
+    </message>
+    <message>
+        <source>Time scale</source>
+        <translation>Měřítko času</translation>
+    </message>
+    <message>
+        <source>Seconds of weather per second of film. Cover and mass use weather time, flakes on screen film time.</source>
+        <translation>Sekundy počasí na sekundu filmu. Pokrývka a hmotnost běží v čase počasí, vločky na obrazovce v čase filmu.</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>První snímek</translation>
+    </message>
+    <message>
+        <source>First frame shown and exported; the simulation itself starts at 0.</source>
+        <translation>První zobrazený a exportovaný snímek; sama simulace začíná od 0.</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Poslední snímek</translation>
+    </message>
+    <message>
+        <source>Last frame shown and exported.</source>
+        <translation>Poslední zobrazený a exportovaný snímek.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semínko</translation>
+    </message>
+    <message>
+        <source>Start of the random numbers: same scene, same seed, same result.</source>
+        <translation>Počátek náhodných čísel: stejná scéna, stejné semínko, stejný výsledek.</translation>
+    </message>
+    <message>
+        <source>Exposure rays</source>
+        <translation>Paprsky expozice</translation>
+    </message>
+    <message>
+        <source>Rays per cover cell that measure how open it lies; the error falls with the square root.</source>
+        <translation>Paprsky na buňku pokrývky, které měří, jak otevřeně leží; chyba klesá s odmocninou.</translation>
+    </message>
+    <message>
+        <source>New snow density</source>
+        <translation>Hustota nového sněhu</translation>
+    </message>
+    <message>
+        <source>0 takes it from the air temperature.</source>
+        <translation>0 ji odvodí z teploty vzduchu.</translation>
+    </message>
+    <message>
+        <source>Holds below</source>
+        <translation>Drží pod</translation>
+    </message>
+    <message>
+        <source>Slopes flatter than this keep all the snow that reaches them.</source>
+        <translation>Svahy mírnější než toto udrží všechen sníh, který na ně dopadne.</translation>
+    </message>
+    <message>
+        <source>Sheds above</source>
+        <translation>Shazuje nad</translation>
+    </message>
+    <message>
+        <source>Slopes steeper than this keep none.</source>
+        <translation>Svahy strmější než toto neudrží žádný.</translation>
+    </message>
+    <message>
+        <source>Cover noise</source>
+        <translation>Nerovnost pokrývky</translation>
+    </message>
+    <message>
+        <source>Unevenness of the cover; its mean is zero.</source>
+        <translation>Nestejnoměrnost pokrývky; její průměr je nula.</translation>
+    </message>
+    <message>
+        <source>Checkpoint every</source>
+        <translation>Záchytný bod po</translation>
+    </message>
+    <message>
+        <source>Frames between full saves of the state, from which an edit restarts.</source>
+        <translation>Snímky mezi úplnými uloženími stavu, od nichž se po úpravě pokračuje.</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Obrazy</translation>
+    </message>
+    <message>
+        <source>Size and look of pictures.</source>
+        <translation>Velikost a vzhled obrazů.</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulace</translation>
+    </message>
+    <message>
+        <source>Time, range and accuracy of the simulation.</source>
+        <translation>Čas, rozsah a přesnost simulace.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Soubor</translation>
+    </message>
+    <message>
+        <source>Raster file with the elevation model.</source>
+        <translation>Rastrový soubor s výškovým modelem.</translation>
+    </message>
+    <message>
+        <source>EPSG code</source>
+        <translation>Kód EPSG</translation>
+    </message>
+    <message>
+        <source>Coordinate system; 0 takes the one named in the file.</source>
+        <translation>Souřadnicový systém; 0 převezme ten, který uvádí soubor.</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>Velikost buňky</translation>
+    </message>
+    <message>
+        <source>Distance of the heights in files without coordinates; 0 takes the file&apos;s, or 1 m.</source>
+        <translation>Vzdálenost výšek v souborech bez souřadnic; 0 převezme údaj souboru, jinak 1 m.</translation>
+    </message>
+    <message>
+        <source>Height unit</source>
+        <translation>Jednotka výšky</translation>
+    </message>
+    <message>
+        <source>Metres per unit of height in files that name no unit, such as 16-bit PNG.</source>
+        <translation>Metry na jednotku výšky v souborech, které jednotku neuvádějí, jako šestnáctibitové PNG.</translation>
+    </message>
+    <message>
+        <source>Marks holes</source>
+        <translation>Značí díry</translation>
+    </message>
+    <message>
+        <source>The hole value marks cells without height, in files that cannot name one.</source>
+        <translation>Hodnota díry značí buňky bez výšky v souborech, které ji samy neumějí uvést.</translation>
+    </message>
+    <message>
+        <source>Hole value</source>
+        <translation>Hodnota díry</translation>
+    </message>
+    <message>
+        <source>Value of cells without height, in units of the file.</source>
+        <translation>Hodnota buněk bez výšky v jednotkách souboru.</translation>
+    </message>
+    <message>
+        <source>Vertical scale</source>
+        <translation>Svislé měřítko</translation>
+    </message>
+    <message>
+        <source>Factor on the heights above the lowest point.</source>
+        <translation>Násobek výšek nad nejnižším bodem.</translation>
+    </message>
+    <message>
+        <source>Fine cover cell</source>
+        <translation>Jemná buňka pokrývky</translation>
+    </message>
+    <message>
+        <source>Size of the snow cover cells near models; elsewhere the cover has the terrain&apos;s cells.</source>
+        <translation>Velikost buněk sněhové pokrývky u modelů; jinde má pokrývka buňky terénu.</translation>
+    </message>
+    <message>
+        <source>Fine cover margin</source>
+        <translation>Okraj jemné pokrývky</translation>
+    </message>
+    <message>
+        <source>How far round a model the fine cover reaches.</source>
+        <translation>Jak daleko kolem modelu jemná pokrývka sahá.</translation>
+    </message>
+    <message>
+        <source>Credit line</source>
+        <translation>Uvedení zdroje</translation>
+    </message>
+    <message>
+        <source>Source of the data, printed on pictures.</source>
+        <translation>Zdroj dat, tištěný na obrazy.</translation>
+    </message>
+    <message>
+        <source>As the file says</source>
+        <translation>Podle souboru</translation>
+    </message>
+    <message>
+        <source>Y is up</source>
+        <translation>Nahoru míří Y</translation>
+    </message>
+    <message>
+        <source>Z is up</source>
+        <translation>Nahoru míří Z</translation>
+    </message>
+    <message>
+        <source>Model file (glTF, OBJ, PLY).</source>
+        <translation>Soubor modelu (glTF, OBJ, PLY).</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Svislá osa</translation>
+    </message>
+    <message>
+        <source>Which way is up in the model file.</source>
+        <translation>Kterým směrem je v souboru modelu nahoru.</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Jednotka souboru</translation>
+    </message>
+    <message>
+        <source>Metres per unit of the file; 0 takes what the format says.</source>
+        <translation>Metry na jednotku souboru; 0 převezme údaj formátu.</translation>
+    </message>
+    <message>
+        <source>Place in local metres: east, north, up.</source>
+        <translation>Místo v místních metrech: východ, sever, výška.</translation>
+    </message>
+    <message>
+        <source>Stand on ground</source>
+        <translation>Stát na zemi</translation>
+    </message>
+    <message>
+        <source>The height counts from the terrain under the model.</source>
+        <translation>Výška se počítá od terénu pod modelem.</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Otočení</translation>
+    </message>
+    <message>
+        <source>Turn about the x, y and z axes, in that order.</source>
+        <translation>Otočení kolem os x, y a z, v tomto pořadí.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Měřítko</translation>
+    </message>
+    <message>
+        <source>Factor along each axis.</source>
+        <translation>Násobek podél každé osy.</translation>
+    </message>
+    <message>
+        <source>Cover cell</source>
+        <translation>Buňka pokrývky</translation>
+    </message>
+    <message>
+        <source>Size of the snow cover cells on this model.</source>
+        <translation>Velikost buněk sněhové pokrývky na tomto modelu.</translation>
+    </message>
+    <message>
+        <source>Catches snow</source>
+        <translation>Zachytává sníh</translation>
+    </message>
+    <message>
+        <source>Snow lies on the parts that face up; otherwise the model only shelters what is below it.</source>
+        <translation>Sníh leží na částech obrácených vzhůru; jinak model jen kryje to, co je pod ním.</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Terén</translation>
+    </message>
+    <message>
+        <source>An elevation model; the ground of the scene.</source>
+        <translation>Výškový model; půda scény.</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>An imported object: a house, a tree, a car.</source>
+        <translation>Importovaný předmět: dům, strom, auto.</translation>
+    </message>
+    <message>
+        <source>Air temperature</source>
+        <translation>Teplota vzduchu</translation>
+    </message>
+    <message>
+        <source>Temperature of the air; sets the density of new snow.</source>
+        <translation>Teplota vzduchu; určuje hustotu nového sněhu.</translation>
+    </message>
+    <message>
+        <source>Wind speed</source>
+        <translation>Rychlost větru</translation>
+    </message>
+    <message>
+        <source>Mean wind; tilts the fall of the snow.</source>
+        <translation>Střední vítr; sklání pád sněhu.</translation>
+    </message>
+    <message>
+        <source>Wind from</source>
+        <translation>Vítr od</translation>
+    </message>
+    <message>
+        <source>Direction the wind comes from: 0 north, 90 east.</source>
+        <translation>Směr, odkud vítr vane: 0 sever, 90 východ.</translation>
+    </message>
+    <message>
+        <source>Precipitation</source>
+        <translation>Srážky</translation>
+    </message>
+    <message>
+        <source>Water that falls on level ground; it rules picture and cover alike.</source>
+        <translation>Voda, která dopadá na vodorovnou plochu; řídí obraz i pokrývku.</translation>
+    </message>
+    <message>
+        <source>Sun azimuth</source>
+        <translation>Azimut slunce</translation>
+    </message>
+    <message>
+        <source>Direction of the sun from north through east.</source>
+        <translation>Směr slunce od severu přes východ.</translation>
+    </message>
+    <message>
+        <source>Sun elevation</source>
+        <translation>Výška slunce</translation>
+    </message>
+    <message>
+        <source>Height of the sun above the horizon.</source>
+        <translation>Výška slunce nad obzorem.</translation>
+    </message>
+    <message>
+        <source>Cloud cover</source>
+        <translation>Oblačnost</translation>
+    </message>
+    <message>
+        <source>0 is a clear sky, 1 an overcast one; clouds soften the sun.</source>
+        <translation>0 je jasná obloha, 1 zatažená; oblaka slunce změkčují.</translation>
+    </message>
+    <message>
+        <source>Dendrite aggregates, unrimed</source>
+        <translation>Shluky dendritů, bez námrazy</translation>
+    </message>
+    <message>
+        <source>Dendrite aggregates, densely rimed</source>
+        <translation>Shluky dendritů, silně ojíněné</translation>
+    </message>
+    <message>
+        <source>Hexagonal graupel</source>
+        <translation>Šestihranné krupky</translation>
+    </message>
+    <message>
+        <source>Type of snow</source>
+        <translation>Druh sněhu</translation>
+    </message>
+    <message>
+        <source>Sets mass and fall speed of the flakes (Locatelli and Hobbs 1974).</source>
+        <translation>Určuje hmotnost a rychlost pádu vloček (Locatelli a Hobbs 1974).</translation>
+    </message>
+    <message>
+        <source>Rate factor</source>
+        <translation>Násobek intenzity</translation>
+    </message>
+    <message>
+        <source>Factor on the weather&apos;s precipitation.</source>
+        <translation>Násobek srážek počasí.</translation>
+    </message>
+    <message>
+        <source>Fall spread</source>
+        <translation>Rozptyl pádu</translation>
+    </message>
+    <message>
+        <source>Half-angle of the cone of fall directions; softens the edge of shelter.</source>
+        <translation>Poloviční úhel kužele směrů pádu; změkčuje okraj závětří.</translation>
+    </message>
+    <message>
+        <source>Flutter amplitude</source>
+        <translation>Rozkmit třepotání</translation>
+    </message>
+    <message>
+        <source>Sideways swing of a flake about its path.</source>
+        <translation>Boční výkyv vločky kolem její dráhy.</translation>
+    </message>
+    <message>
+        <source>Flutter rate</source>
+        <translation>Rychlost třepotání</translation>
+    </message>
+    <message>
+        <source>Angular rate of the swing, rad/s.</source>
+        <translation>Úhlová rychlost výkyvu, rad/s.</translation>
+    </message>
+    <message>
+        <source>Flake box</source>
+        <translation>Kvádr vloček</translation>
+    </message>
+    <message>
+        <source>Edge of the box round the camera in which flakes are drawn.</source>
+        <translation>Hrana krychle kolem kamery, v níž se vločky kreslí.</translation>
+    </message>
+    <message>
+        <source>Flakes drawn</source>
+        <translation>Kreslené vločky</translation>
+    </message>
+    <message>
+        <source>Number of flakes in the box; each stands for as many real ones as the precipitation asks for.</source>
+        <translation>Počet vloček v krychli; každá zastupuje tolik skutečných, kolik žádají srážky.</translation>
+    </message>
+    <message>
+        <source>Weather</source>
+        <translation>Počasí</translation>
+    </message>
+    <message>
+        <source>Air, wind, precipitation and sun.</source>
+        <translation>Vzduch, vítr, srážky a slunce.</translation>
+    </message>
+    <message>
+        <source>Snowfall</source>
+        <translation>Sněžení</translation>
+    </message>
+    <message>
+        <source>Falling snow and the cover it lays.</source>
+        <translation>Padající sníh a pokrývka, kterou tvoří.</translation>
+    </message>
+</context>
+<context>
+    <name>SceneChecks</name>
+    <message>
+        <source>Camera and target stand on the same spot. Move one of them.</source>
+        <translation>Kamera a cíl stojí na stejném místě. Posuňte jedno z nich.</translation>
+    </message>
+    <message>
+        <source>There is no camera: pictures use a default view. Add a camera.</source>
+        <translation>Chybí kamera: obrazy použijí výchozí pohled. Přidejte kameru.</translation>
+    </message>
+    <message>
+        <source>It snows without weather: default weather is used. Add weather.</source>
+        <translation>Sněží bez počasí: použije se výchozí počasí. Přidejte počasí.</translation>
+    </message>
+    <message>
+        <source>The last frame comes before the first one.</source>
+        <translation>Poslední snímek předchází prvnímu.</translation>
+    </message>
+    <message>
+        <source>Slopes must shed their snow at a steeper angle than they hold it.</source>
+        <translation>Svahy musí sníh shazovat při strmějším úhlu, než při jakém jej drží.</translation>
+    </message>
+    <message>
+        <source>Samples per pixel should be 1, 2, 4 or 8.</source>
+        <translation>Počet vzorků na pixel má být 1, 2, 4 nebo 8.</translation>
+    </message>
+</context>
+<context>
+    <name>spin::Application</name>
+    <message>
+        <source>Editor and simulator of winter scenes.</source>
+        <translation>Editor a simulátor zimních scén.</translation>
+    </message>
+    <message>
+        <source>Language of the window: en, cs or zh_CN.</source>
+        <translation>Jazyk okna: en, cs nebo zh_CN.</translation>
+    </message>
+    <message>
+        <source>Simulates, plays and exports the scene, writes how long the window stood still to FILE as JSON, and ends.</source>
+        <translation>Scénu odsimuluje, přehraje a exportuje, do FILE zapíše jako JSON, jak dlouho okno stálo, a skončí.</translation>
+    </message>
+    <message>
+        <source>Writes a picture of the window to FILE once the scene is simulated, and ends.</source>
+        <translation>Po odsimulování scény zapíše obrázek okna do FILE a skončí.</translation>
+    </message>
+    <message>
+        <source>A scene to open, or terrains and models to import.</source>
+        <translation>Scéna k otevření, nebo terény a modely k importu.</translation>
+    </message>
+</context>
+<context>
+    <name>spin::Autosave</name>
+    <message>
+        <source>The folder for recovery copies cannot be used: %1</source>
+        <translation>Složku pro záchranné kopie nelze použít: %1</translation>
+    </message>
+</context>
+<context>
+    <name>spin::ExportDialog</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>What to write</source>
+        <translation>Co zapsat</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Snímky</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>až</translation>
+    </message>
+    <message>
+        <source>Picture size</source>
+        <translation>Velikost obrazu</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Vybrat...</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Složka</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>Odhad</translation>
+    </message>
+    <message>
+        <source>The same export on the command line</source>
+        <translation>Stejný export na příkazovém řádku</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Příkaz</translation>
+    </message>
+    <message>
+        <source>Folder for the export</source>
+        <translation>Složka pro export</translation>
+    </message>
+    <message>
+        <source>Choose at least one thing to write.</source>
+        <translation>Vyberte aspoň jednu věc k zápisu.</translation>
+    </message>
+    <message>
+        <source>The last frame lies before the first.</source>
+        <translation>Poslední snímek leží před prvním.</translation>
+    </message>
+    <message>
+        <source>Choose a folder.</source>
+        <translation>Vyberte složku.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s), about %1 on disk</source>
+        <translation>
+            <numerusform>%n snímek, asi %1 na disku</numerusform>
+            <numerusform>%n snímky, asi %1 na disku</numerusform>
+            <numerusform>%n snímků, asi %1 na disku</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Starting...</source>
+        <translation>Spouští se...</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Zastavit</translation>
+    </message>
+    <message>
+        <source>%p %, %1 left</source>
+        <translation>%p %, zbývá %1</translation>
+    </message>
+    <message>
+        <source>Written to &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt;.</source>
+        <translation>Zapsáno do &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt;.</translation>
+    </message>
+    <message>
+        <source>Stopped. Files written so far stay in the folder.</source>
+        <translation>Zastaveno. Dosud zapsané soubory zůstávají ve složce.</translation>
+    </message>
+    <message>
+        <source>The export failed.</source>
+        <translation>Export selhal.</translation>
+    </message>
+</context>
+<context>
+    <name>spin::ExportJob</name>
+    <message>
+        <source>The export program ended unexpectedly.</source>
+        <translation>Exportní program nečekaně skončil.</translation>
+    </message>
+    <message>
+        <source>The export program could not be started: %1</source>
+        <translation>Exportní program se nepodařilo spustit: %1</translation>
+    </message>
+</context>
+<context>
+    <name>spin::FileFlow</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Neuložené změny</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has changes that are not saved.</source>
+        <translation>„%1“ obsahuje neuložené změny.</translation>
+    </message>
+    <message>
+        <source>Open scene</source>
+        <translation>Otevřít scénu</translation>
+    </message>
+    <message>
+        <source>Spindrift scenes (*.spindrift)</source>
+        <translation>Scény Spindrift (*.spindrift)</translation>
+    </message>
+    <message>
+        <source>Save scene</source>
+        <translation>Uložit scénu</translation>
+    </message>
+    <message>
+        <source>Spindrift</source>
+        <translation>Spindrift</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>scena</translation>
+    </message>
+</context>
+<context>
+    <name>spin::ImportDialog</name>
+    <message>
+        <source>Import terrain</source>
+        <translation>Import terénu</translation>
+    </message>
+    <message>
+        <source>Import model</source>
+        <translation>Import modelu</translation>
+    </message>
+    <message>
+        <source>Reading...</source>
+        <translation>Načítá se...</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importovat</translation>
+    </message>
+    <message>
+        <source>Read again</source>
+        <translation>Načíst znovu</translation>
+    </message>
+    <message>
+        <source>Reads the file with the options above</source>
+        <translation>Načte soubor s volbami výše</translation>
+    </message>
+    <message>
+        <source>From the file</source>
+        <translation>Podle souboru</translation>
+    </message>
+    <message>
+        <source>EPSG code</source>
+        <translation>Kód EPSG</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>From the file, or 1 m</source>
+        <translation>Podle souboru, jinak 1 m</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>Velikost buňky</translation>
+    </message>
+    <message>
+        <source>Height unit</source>
+        <translation>Jednotka výšky</translation>
+    </message>
+    <message>
+        <source>Cells with this value are holes:</source>
+        <translation>Buňky s touto hodnotou jsou díry:</translation>
+    </message>
+    <message>
+        <source>As the file says</source>
+        <translation>Podle souboru</translation>
+    </message>
+    <message>
+        <source>Y is up</source>
+        <translation>Nahoru míří Y</translation>
+    </message>
+    <message>
+        <source>Z is up</source>
+        <translation>Nahoru míří Z</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Svislá osa</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Jednotka souboru</translation>
+    </message>
+</context>
+<context>
+    <name>spin::ImportFlow</name>
+    <message>
+        <source>Import terrain or model</source>
+        <translation>Importovat terén nebo model</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither a terrain nor a model this program reads.</source>
+        <translation>„%1“ není terén ani model, který program umí načíst.</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importovat</translation>
+    </message>
+</context>
+<context>
+    <name>spin::ImportJob</name>
+    <message>
+        <source>Terrain and models</source>
+        <translation>Terén a modely</translation>
+    </message>
+    <message>
+        <source>Elevation models</source>
+        <translation>Výškové modely</translation>
+    </message>
+    <message>
+        <source>Models</source>
+        <translation>Modely</translation>
+    </message>
+</context>
+<context>
+    <name>spin::IssueModel</name>
+    <message>
+        <source>Scene</source>
+        <translation>Scéna</translation>
+    </message>
+    <message>
+        <source>Node</source>
+        <translation>Uzel</translation>
+    </message>
+    <message>
+        <source>Issue</source>
+        <translation>Problém</translation>
+    </message>
+</context>
+<context>
+    <name>spin::MainActions</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Soubor</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Nová</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Otevřít...</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Otevřít n&amp;edávné</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Uložit</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>Uložit &amp;jako...</translation>
+    </message>
+    <message>
+        <source>&amp;Collect files beside the scene</source>
+        <translation>&amp;Sebrat soubory ke scéně</translation>
+    </message>
+    <message>
+        <source>&amp;Import terrain or model...</source>
+        <translation>&amp;Importovat terén nebo model...</translation>
+    </message>
+    <message>
+        <source>&amp;Export...</source>
+        <translation>&amp;Exportovat...</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>U&amp;končit</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>Ú&amp;pravy</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Zpět</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>Zn&amp;ovu</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Duplikovat</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>S&amp;mazat</translation>
+    </message>
+    <message>
+        <source>Set &amp;keys</source>
+        <translation>Vložit &amp;klíče</translation>
+    </message>
+    <message>
+        <source>&amp;Add node</source>
+        <translation>&amp;Přidat uzel</translation>
+    </message>
+    <message>
+        <source>%1...</source>
+        <translation>%1...</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Zobrazení</translation>
+    </message>
+    <message>
+        <source>&amp;Frame selection</source>
+        <translation>&amp;Najet na výběr</translation>
+    </message>
+    <message>
+        <source>Frame &amp;all</source>
+        <translation>Najet na &amp;vše</translation>
+    </message>
+    <message>
+        <source>&amp;Look through the camera</source>
+        <translation>&amp;Dívat se kamerou</translation>
+    </message>
+    <message>
+        <source>&amp;Set the camera from the view</source>
+        <translation>Na&amp;stavit kameru podle pohledu</translation>
+    </message>
+    <message>
+        <source>S&amp;now cover</source>
+        <translation>Sně&amp;hová pokrývka</translation>
+    </message>
+    <message>
+        <source>Fa&amp;lling flakes</source>
+        <translation>Padající &amp;vločky</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the layout</source>
+        <translation>&amp;Obnovit rozložení</translation>
+    </message>
+    <message>
+        <source>&amp;Ground shows</source>
+        <translation>&amp;Povrch ukazuje</translation>
+    </message>
+    <message>
+        <source>&amp;Natural colours</source>
+        <translation>&amp;Přirozené barvy</translation>
+    </message>
+    <message>
+        <source>Ground &amp;types</source>
+        <translation>&amp;Typy povrchu</translation>
+    </message>
+    <message>
+        <source>Ground t&amp;emperature</source>
+        <translation>T&amp;eplotu povrchu</translation>
+    </message>
+    <message>
+        <source>&amp;Simulate</source>
+        <translation>S&amp;imulace</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>Za&amp;stavit</translation>
+    </message>
+    <message>
+        <source>Simulate &amp;after edits</source>
+        <translation>Simulovat &amp;po úpravách</translation>
+    </message>
+    <message>
+        <source>&amp;Delete out-of-date frames from disk</source>
+        <translation>&amp;Smazat zastaralé snímky z disku</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Přehrát nebo pozastavit</translation>
+    </message>
+    <message>
+        <source>Previous frame</source>
+        <translation>Předchozí snímek</translation>
+    </message>
+    <message>
+        <source>Next frame</source>
+        <translation>Další snímek</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>První snímek</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Poslední snímek</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Nástroje</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Vybrat</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Posunout</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Otočit</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Měřítko</translation>
+    </message>
+    <message>
+        <source>Paint ground types</source>
+        <translation>Malovat typy povrchu</translation>
+    </message>
+    <message>
+        <source>Local axes</source>
+        <translation>Místní osy</translation>
+    </message>
+    <message>
+        <source>Handles along the model&apos;s own axes (X)</source>
+        <translation>Úchyty podél vlastních os modelu (X)</translation>
+    </message>
+    <message>
+        <source>Ground type that the brush paints</source>
+        <translation>Typ povrchu, který štětec maluje</translation>
+    </message>
+    <message>
+        <source>Rub out</source>
+        <translation>Vymazat</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Radius of the brush ([ and ], or Ctrl + wheel)</source>
+        <translation>Poloměr štětce ([ a ], nebo Ctrl + kolečko)</translation>
+    </message>
+    <message>
+        <source>Smaller brush</source>
+        <translation>Menší štětec</translation>
+    </message>
+    <message>
+        <source>Larger brush</source>
+        <translation>Větší štětec</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Nápověda</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and pointer</source>
+        <translation>&amp;Klávesy a ukazatel</translation>
+    </message>
+    <message>
+        <source>&amp;About Spindrift</source>
+        <translation>&amp;O programu Spindrift</translation>
+    </message>
+    <message>
+        <source>Middle button, Alt + left</source>
+        <translation>Prostřední tlačítko, Alt + levé</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>Otáčet pohled</translation>
+    </message>
+    <message>
+        <source>Shift + middle button</source>
+        <translation>Shift + prostřední tlačítko</translation>
+    </message>
+    <message>
+        <source>Shift the view</source>
+        <translation>Posouvat pohled</translation>
+    </message>
+    <message>
+        <source>Wheel, Ctrl + middle button</source>
+        <translation>Kolečko, Ctrl + prostřední tlačítko</translation>
+    </message>
+    <message>
+        <source>Nearer and farther</source>
+        <translation>Blíž a dál</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klepnutí</translation>
+    </message>
+    <message>
+        <source>Ctrl while dragging a handle</source>
+        <translation>Ctrl při tažení úchytu</translation>
+    </message>
+    <message>
+        <source>Whole steps: 1 m, 15 degrees, 0.1</source>
+        <translation>Celé kroky: 1 m, 15 stupňů, 0,1</translation>
+    </message>
+    <message>
+        <source>Escape while dragging</source>
+        <translation>Escape při tažení</translation>
+    </message>
+    <message>
+        <source>Take the drag back</source>
+        <translation>Vzít tažení zpět</translation>
+    </message>
+    <message>
+        <source>Keys and pointer</source>
+        <translation>Klávesy a ukazatel</translation>
+    </message>
+    <message>
+        <source>About Spindrift</source>
+        <translation>O programu Spindrift</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Spindrift %1&lt;/h3&gt;&lt;p&gt;Editor and simulator of winter scenes.&lt;/p&gt;&lt;p&gt;Apache License 2.0. What it builds on is listed in the file NOTICE.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Spindrift %1&lt;/h3&gt;&lt;p&gt;Editor a simulátor zimních scén.&lt;/p&gt;&lt;p&gt;Licence Apache 2.0. Na čem program staví, uvádí soubor NOTICE.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>spin::MainWindow</name>
+    <message>
+        <source>Saved.</source>
+        <translation>Uloženo.</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scéna</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Vlastnosti</translation>
+    </message>
+    <message>
+        <source>Issues</source>
+        <translation>Problémy</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Časová osa</translation>
+    </message>
+    <message>
+        <source>Drop an elevation model here</source>
+        <translation>Přetáhněte sem výškový model</translation>
+    </message>
+    <message>
+        <source>or use File &gt; Import. Models (glTF, OBJ, PLY) are placed on the terrain; a snowfall emitter from Edit &gt; Add node lets it snow.</source>
+        <translation>nebo použijte Soubor &gt; Importovat. Modely (glTF, OBJ, PLY) se postaví na terén; sněžit začne po přidání sněžení v Úpravy &gt; Přidat uzel.</translation>
+    </message>
+    <message>
+        <source>%1[*] - Spindrift</source>
+        <translation>%1[*] - Spindrift</translation>
+    </message>
+    <message>
+        <source>Unsaved work found</source>
+        <translation>Nalezena neuložená práce</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not saved. Its last changes were kept on %2.</source>
+        <translation>„%1“ nebylo uloženo. Poslední změny byly uchovány %2.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Obnovit</translation>
+    </message>
+    <message>
+        <source>Delete it</source>
+        <translation>Smazat</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Později</translation>
+    </message>
+    <message>
+        <source>Save first</source>
+        <translation>Nejprve uložit</translation>
+    </message>
+    <message>
+        <source>Exports are made from the saved scene. Save it now?</source>
+        <translation>Exportuje se uložená scéna. Uložit ji nyní?</translation>
+    </message>
+</context>
+<context>
+    <name>spin::OutlinerPanel</name>
+    <message>
+        <source>Add</source>
+        <translation>Přidat</translation>
+    </message>
+    <message>
+        <source>Add a node to the scene</source>
+        <translation>Přidat uzel do scény</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Přejmenovat</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplikovat</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Odebrat</translation>
+    </message>
+</context>
+<context>
+    <name>spin::PathEditor</name>
+    <message>
+        <source>Choose a file</source>
+        <translation>Vyberte soubor</translation>
+    </message>
+</context>
+<context>
+    <name>spin::PropertyPanel</name>
+    <message>
+        <source>Nothing is selected</source>
+        <translation>Nic není vybráno</translation>
+    </message>
+</context>
+<context>
+    <name>spin::PropertyRowEditor</name>
+    <message>
+        <source>Back to the default</source>
+        <translation>Zpět na výchozí hodnotu</translation>
+    </message>
+    <message>
+        <source>Set a key: animate this property</source>
+        <translation>Vložit klíč: animovat tuto vlastnost</translation>
+    </message>
+    <message>
+        <source>Animated; set a key at this frame</source>
+        <translation>Animováno; vložit klíč na tomto snímku</translation>
+    </message>
+    <message>
+        <source>Remove the key at this frame</source>
+        <translation>Odebrat klíč na tomto snímku</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Skokem</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Lineárně</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Plynule</translation>
+    </message>
+</context>
+<context>
+    <name>spin::SceneDocument</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Bez názvu</translation>
+    </message>
+    <message>
+        <source>The scene has no file name yet.</source>
+        <translation>Scéna ještě nemá název souboru.</translation>
+    </message>
+    <message>
+        <source>The scene is being saved already.</source>
+        <translation>Scéna se už ukládá.</translation>
+    </message>
+</context>
+<context>
+    <name>spin::SceneTools</name>
+    <message>
+        <source>The painted layers are still being read.</source>
+        <translation>Malované vrstvy se ještě načítají.</translation>
+    </message>
+    <message>
+        <source>Paint ground</source>
+        <translation>Malovat povrch</translation>
+    </message>
+    <message>
+        <source>Ground types</source>
+        <translation>Typy povrchu</translation>
+    </message>
+    <message>
+        <source>Set camera from view</source>
+        <translation>Nastavit kameru podle pohledu</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Select a node first: keys are set on its animated properties.</source>
+        <translation>Nejprve vyberte uzel: klíče se vkládají na jeho animované vlastnosti.</translation>
+    </message>
+    <message>
+        <source>Nothing of this node is animated yet: use the key buttons beside its properties.</source>
+        <translation>Na tomto uzlu zatím není nic animováno: použijte tlačítka klíčů u vlastností.</translation>
+    </message>
+    <message>
+        <source>Set keys</source>
+        <translation>Vložit klíče</translation>
+    </message>
+</context>
+<context>
+    <name>spin::SimulationController</name>
+    <message>
+        <source>Simulation stopped.</source>
+        <translation>Simulace zastavena.</translation>
+    </message>
+    <message>
+        <source>Stale frames deleted.</source>
+        <translation>Zastaralé snímky smazány.</translation>
+    </message>
+</context>
+<context>
+    <name>spin::StatusPanel</name>
+    <message>
+        <source>%1 s per frame, %2 %3 %</source>
+        <translation>%1 s na snímek, %2 %3 %</translation>
+    </message>
+    <message>
+        <source>Stop the simulation</source>
+        <translation>Zastavit simulaci</translation>
+    </message>
+    <message>
+        <source>Simulated frames in memory and on disk</source>
+        <translation>Simulované snímky v paměti a na disku</translation>
+    </message>
+    <message>
+        <source>Time to draw the last picture of the view</source>
+        <translation>Doba kreslení posledního obrazu pohledu</translation>
+    </message>
+    <message>
+        <source>What simulates: instruction set of the processor, or graphics card</source>
+        <translation>Co simuluje: instrukční sada procesoru, nebo grafická karta</translation>
+    </message>
+    <message>
+        <source>Reading files...</source>
+        <translation>Načítají se soubory...</translation>
+    </message>
+    <message>
+        <source>Simulating...</source>
+        <translation>Simuluje se...</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Snímek %1 z %2</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2, %3 left</source>
+        <translation>Snímek %1 z %2, zbývá %3</translation>
+    </message>
+    <message>
+        <source>Cache %1</source>
+        <translation>Mezipaměť %1</translation>
+    </message>
+    <message>
+        <source>Simulated frames: %1 in memory, %2 on disk, of these %3 out of date</source>
+        <translation>Simulované snímky: %1 v paměti, %2 na disku, z toho %3 zastaralých</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>spin::TimelineBar</name>
+    <message>
+        <source>Frame %1: simulated</source>
+        <translation>Snímek %1: simulován</translation>
+    </message>
+    <message>
+        <source>Frame %1: from before the last change</source>
+        <translation>Snímek %1: z doby před poslední změnou</translation>
+    </message>
+    <message>
+        <source>Frame %1: not simulated yet</source>
+        <translation>Snímek %1: dosud nesimulován</translation>
+    </message>
+</context>
+<context>
+    <name>spin::TimelinePanel</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>First frame (Home)</source>
+        <translation>První snímek (Home)</translation>
+    </message>
+    <message>
+        <source>Previous frame (Left)</source>
+        <translation>Předchozí snímek (šipka vlevo)</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Pozastavit (mezerník)</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>Přehrát (mezerník)</translation>
+    </message>
+    <message>
+        <source>Next frame (Right)</source>
+        <translation>Další snímek (šipka vpravo)</translation>
+    </message>
+    <message>
+        <source>Last frame (End)</source>
+        <translation>Poslední snímek (End)</translation>
+    </message>
+    <message>
+        <source>Current frame</source>
+        <translation>Aktuální snímek</translation>
+    </message>
+</context>
+<context>
+    <name>spin::Viewport</name>
+    <message>
+        <source>No OpenGL 4.5 here, so the scene cannot be drawn. Everything else works.</source>
+        <translation>Není zde OpenGL 4.5, scénu tedy nelze vykreslit. Vše ostatní funguje.</translation>
+    </message>
+    <message>
+        <source>Camera view</source>
+        <translation>Pohled kamery</translation>
+    </message>
+</context>
+</TS>

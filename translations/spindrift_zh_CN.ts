@@ -1,0 +1,1521 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>Edits</name>
+    <message>
+        <source>Collect files</source>
+        <translation>收集文件</translation>
+    </message>
+    <message>
+        <source>Switch on %1</source>
+        <translation>启用 %1</translation>
+    </message>
+    <message>
+        <source>Switch off %1</source>
+        <translation>停用 %1</translation>
+    </message>
+    <message>
+        <source>Paint %1</source>
+        <translation>绘制 %1</translation>
+    </message>
+</context>
+<context>
+    <name>Properties</name>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Place of the eye in local metres.</source>
+        <translation>视点位置，局部坐标（米）。</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Point the camera looks at.</source>
+        <translation>摄像机注视的点。</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>视场角</translation>
+    </message>
+    <message>
+        <source>Vertical angle of view.</source>
+        <translation>垂直视角。</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>摄像机</translation>
+    </message>
+    <message>
+        <source>The view that pictures are rendered from.</source>
+        <translation>渲染图像所用的视角。</translation>
+    </message>
+    <message>
+        <source>Quartz</source>
+        <translation>石英</translation>
+    </message>
+    <message>
+        <source>Sand</source>
+        <translation>沙</translation>
+    </message>
+    <message>
+        <source>Soil</source>
+        <translation>土壤</translation>
+    </message>
+    <message>
+        <source>Vegetation</source>
+        <translation>植被</translation>
+    </message>
+    <message>
+        <source>Rock</source>
+        <translation>岩石</translation>
+    </message>
+    <message>
+        <source>Ice</source>
+        <translation>冰</translation>
+    </message>
+    <message>
+        <source>Asphalt</source>
+        <translation>沥青</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <translation>水</translation>
+    </message>
+    <message>
+        <source>Base type</source>
+        <translation>基础类型</translation>
+    </message>
+    <message>
+        <source>Ground where nothing is painted.</source>
+        <translation>未绘制处的地面。</translation>
+    </message>
+    <message>
+        <source>Painted file</source>
+        <translation>绘制文件</translation>
+    </message>
+    <message>
+        <source>8-bit PNG of the terrain&apos;s size with one ground type per pixel; written when the scene is saved.</source>
+        <translation>与地形同尺寸的 8 位 PNG，每像素一种地面类型；保存场景时写出。</translation>
+    </message>
+    <message>
+        <source>Base temperature</source>
+        <translation>基础温度</translation>
+    </message>
+    <message>
+        <source>Ground temperature where nothing is painted.</source>
+        <translation>未绘制处的地面温度。</translation>
+    </message>
+    <message>
+        <source>GeoTIFF of the terrain&apos;s size with temperatures in K; written when the scene is saved.</source>
+        <translation>与地形同尺寸的 GeoTIFF，温度单位为 K；保存场景时写出。</translation>
+    </message>
+    <message>
+        <source>Ground types</source>
+        <translation>地面类型</translation>
+    </message>
+    <message>
+        <source>Painted materials of the ground.</source>
+        <translation>绘制的地面材质。</translation>
+    </message>
+    <message>
+        <source>Ground temperature</source>
+        <translation>地面温度</translation>
+    </message>
+    <message>
+        <source>Painted temperature of the ground.</source>
+        <translation>绘制的地面温度。</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Width of pictures.</source>
+        <translation>图像宽度。</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Height of pictures.</source>
+        <translation>图像高度。</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>采样数</translation>
+    </message>
+    <message>
+        <source>Samples per pixel against jagged edges: 1, 2, 4 or 8.</source>
+        <translation>每像素采样数，用于消除锯齿：1、2、4 或 8。</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>曝光</translation>
+    </message>
+    <message>
+        <source>Brightness in stops: +1 is twice as bright.</source>
+        <translation>以档为单位的亮度：+1 表示亮一倍。</translation>
+    </message>
+    <message>
+        <source>Snowfall haze</source>
+        <translation>降雪雾霭</translation>
+    </message>
+    <message>
+        <source>How much of its real extinction falling snow shows in the distance: 1 is what the eye would see, less keeps the view open.</source>
+        <translation>远处降雪显示其真实消光的比例：1 为肉眼所见，较小的值使视野更开阔。</translation>
+    </message>
+    <message>
+        <source>Show flakes</source>
+        <translation>显示雪花</translation>
+    </message>
+    <message>
+        <source>Draw the falling flakes.</source>
+        <translation>绘制飘落的雪花。</translation>
+    </message>
+    <message>
+        <source>Show caption</source>
+        <translation>显示说明文字</translation>
+    </message>
+    <message>
+        <source>Print the caption and the credit line on pictures.</source>
+        <translation>在图像上印出说明文字和数据来源。</translation>
+    </message>
+    <message>
+        <source>Caption</source>
+        <translation>说明文字</translation>
+    </message>
+    <message>
+        <source>Text printed on pictures.</source>
+        <translation>印在图像上的文字。</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>帧率</translation>
+    </message>
+    <message>
+        <source>Pictures per second of film.</source>
+        <translation>影片每秒的图像数。</translation>
+    </message>
+    <message>
+        <source>Time scale</source>
+        <translation>时间比例</translation>
+    </message>
+    <message>
+        <source>Seconds of weather per second of film. Cover and mass use weather time, flakes on screen film time.</source>
+        <translation>影片每秒对应的天气秒数。积雪和质量使用天气时间，屏幕上的雪花使用影片时间。</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>第一帧</translation>
+    </message>
+    <message>
+        <source>First frame shown and exported; the simulation itself starts at 0.</source>
+        <translation>显示和导出的第一帧；模拟本身从 0 开始。</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>最后一帧</translation>
+    </message>
+    <message>
+        <source>Last frame shown and exported.</source>
+        <translation>显示和导出的最后一帧。</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>随机种子</translation>
+    </message>
+    <message>
+        <source>Start of the random numbers: same scene, same seed, same result.</source>
+        <translation>随机数的起点：场景和种子相同，结果相同。</translation>
+    </message>
+    <message>
+        <source>Exposure rays</source>
+        <translation>暴露度射线</translation>
+    </message>
+    <message>
+        <source>Rays per cover cell that measure how open it lies; the error falls with the square root.</source>
+        <translation>每个积雪网格用于测量开阔程度的射线数；误差随其平方根减小。</translation>
+    </message>
+    <message>
+        <source>New snow density</source>
+        <translation>新雪密度</translation>
+    </message>
+    <message>
+        <source>0 takes it from the air temperature.</source>
+        <translation>0 表示由气温得出。</translation>
+    </message>
+    <message>
+        <source>Holds below</source>
+        <translation>保持角度</translation>
+    </message>
+    <message>
+        <source>Slopes flatter than this keep all the snow that reaches them.</source>
+        <translation>比此平缓的坡面保留全部落雪。</translation>
+    </message>
+    <message>
+        <source>Sheds above</source>
+        <translation>脱落角度</translation>
+    </message>
+    <message>
+        <source>Slopes steeper than this keep none.</source>
+        <translation>比此陡峭的坡面不保留积雪。</translation>
+    </message>
+    <message>
+        <source>Cover noise</source>
+        <translation>积雪噪声</translation>
+    </message>
+    <message>
+        <source>Unevenness of the cover; its mean is zero.</source>
+        <translation>积雪的不均匀度；其平均值为零。</translation>
+    </message>
+    <message>
+        <source>Checkpoint every</source>
+        <translation>检查点间隔</translation>
+    </message>
+    <message>
+        <source>Frames between full saves of the state, from which an edit restarts.</source>
+        <translation>两次完整状态保存之间的帧数，编辑后从那里重新开始。</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>Size and look of pictures.</source>
+        <translation>图像的尺寸和外观。</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>Time, range and accuracy of the simulation.</source>
+        <translation>模拟的时间、范围和精度。</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Raster file with the elevation model.</source>
+        <translation>包含高程模型的栅格文件。</translation>
+    </message>
+    <message>
+        <source>EPSG code</source>
+        <translation>EPSG 代码</translation>
+    </message>
+    <message>
+        <source>Coordinate system; 0 takes the one named in the file.</source>
+        <translation>坐标系；0 表示采用文件中所述的坐标系。</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>网格大小</translation>
+    </message>
+    <message>
+        <source>Distance of the heights in files without coordinates; 0 takes the file&apos;s, or 1 m.</source>
+        <translation>无坐标文件中高程点的间距；0 表示取自文件，否则为 1 米。</translation>
+    </message>
+    <message>
+        <source>Height unit</source>
+        <translation>高度单位</translation>
+    </message>
+    <message>
+        <source>Metres per unit of height in files that name no unit, such as 16-bit PNG.</source>
+        <translation>未注明单位的文件（如 16 位 PNG）中每高度单位的米数。</translation>
+    </message>
+    <message>
+        <source>Marks holes</source>
+        <translation>标记空洞</translation>
+    </message>
+    <message>
+        <source>The hole value marks cells without height, in files that cannot name one.</source>
+        <translation>在无法自行注明的文件中，用空洞值标记没有高度的网格。</translation>
+    </message>
+    <message>
+        <source>Hole value</source>
+        <translation>空洞值</translation>
+    </message>
+    <message>
+        <source>Value of cells without height, in units of the file.</source>
+        <translation>没有高度的网格的值，以文件单位计。</translation>
+    </message>
+    <message>
+        <source>Vertical scale</source>
+        <translation>垂直比例</translation>
+    </message>
+    <message>
+        <source>Factor on the heights above the lowest point.</source>
+        <translation>最低点以上高度的倍数。</translation>
+    </message>
+    <message>
+        <source>Fine cover cell</source>
+        <translation>精细积雪网格</translation>
+    </message>
+    <message>
+        <source>Size of the snow cover cells near models; elsewhere the cover has the terrain&apos;s cells.</source>
+        <translation>模型附近积雪网格的大小；其他地方使用地形网格。</translation>
+    </message>
+    <message>
+        <source>Fine cover margin</source>
+        <translation>精细积雪范围</translation>
+    </message>
+    <message>
+        <source>How far round a model the fine cover reaches.</source>
+        <translation>精细积雪在模型周围延伸的距离。</translation>
+    </message>
+    <message>
+        <source>Credit line</source>
+        <translation>数据来源</translation>
+    </message>
+    <message>
+        <source>Source of the data, printed on pictures.</source>
+        <translation>数据来源，印在图像上。</translation>
+    </message>
+    <message>
+        <source>As the file says</source>
+        <translation>按文件所述</translation>
+    </message>
+    <message>
+        <source>Y is up</source>
+        <translation>Y 轴朝上</translation>
+    </message>
+    <message>
+        <source>Z is up</source>
+        <translation>Z 轴朝上</translation>
+    </message>
+    <message>
+        <source>Model file (glTF, OBJ, PLY).</source>
+        <translation>模型文件（glTF、OBJ、PLY）。</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>朝上的轴</translation>
+    </message>
+    <message>
+        <source>Which way is up in the model file.</source>
+        <translation>模型文件中朝上的方向。</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>文件单位</translation>
+    </message>
+    <message>
+        <source>Metres per unit of the file; 0 takes what the format says.</source>
+        <translation>文件每单位的米数；0 表示按格式规定。</translation>
+    </message>
+    <message>
+        <source>Place in local metres: east, north, up.</source>
+        <translation>局部坐标位置（米）：东、北、上。</translation>
+    </message>
+    <message>
+        <source>Stand on ground</source>
+        <translation>立于地面</translation>
+    </message>
+    <message>
+        <source>The height counts from the terrain under the model.</source>
+        <translation>高度从模型下方的地形算起。</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Turn about the x, y and z axes, in that order.</source>
+        <translation>依次绕 x、y、z 轴旋转。</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Factor along each axis.</source>
+        <translation>沿各轴的倍数。</translation>
+    </message>
+    <message>
+        <source>Cover cell</source>
+        <translation>积雪网格</translation>
+    </message>
+    <message>
+        <source>Size of the snow cover cells on this model.</source>
+        <translation>此模型上积雪网格的大小。</translation>
+    </message>
+    <message>
+        <source>Catches snow</source>
+        <translation>承接积雪</translation>
+    </message>
+    <message>
+        <source>Snow lies on the parts that face up; otherwise the model only shelters what is below it.</source>
+        <translation>积雪落在朝上的部分；否则模型只遮挡其下方。</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>地形</translation>
+    </message>
+    <message>
+        <source>An elevation model; the ground of the scene.</source>
+        <translation>高程模型；场景的地面。</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>An imported object: a house, a tree, a car.</source>
+        <translation>导入的物体：房屋、树木、汽车。</translation>
+    </message>
+    <message>
+        <source>Air temperature</source>
+        <translation>气温</translation>
+    </message>
+    <message>
+        <source>Temperature of the air; sets the density of new snow.</source>
+        <translation>空气温度；决定新雪的密度。</translation>
+    </message>
+    <message>
+        <source>Wind speed</source>
+        <translation>风速</translation>
+    </message>
+    <message>
+        <source>Mean wind; tilts the fall of the snow.</source>
+        <translation>平均风速；使降雪倾斜。</translation>
+    </message>
+    <message>
+        <source>Wind from</source>
+        <translation>风向</translation>
+    </message>
+    <message>
+        <source>Direction the wind comes from: 0 north, 90 east.</source>
+        <translation>风的来向：0 为北，90 为东。</translation>
+    </message>
+    <message>
+        <source>Precipitation</source>
+        <translation>降水</translation>
+    </message>
+    <message>
+        <source>Water that falls on level ground; it rules picture and cover alike.</source>
+        <translation>落在水平地面上的水量；同时决定画面和积雪。</translation>
+    </message>
+    <message>
+        <source>Sun azimuth</source>
+        <translation>太阳方位角</translation>
+    </message>
+    <message>
+        <source>Direction of the sun from north through east.</source>
+        <translation>太阳方向，从北经东计算。</translation>
+    </message>
+    <message>
+        <source>Sun elevation</source>
+        <translation>太阳高度角</translation>
+    </message>
+    <message>
+        <source>Height of the sun above the horizon.</source>
+        <translation>太阳在地平线以上的高度。</translation>
+    </message>
+    <message>
+        <source>Cloud cover</source>
+        <translation>云量</translation>
+    </message>
+    <message>
+        <source>0 is a clear sky, 1 an overcast one; clouds soften the sun.</source>
+        <translation>0 为晴天，1 为阴天；云使阳光柔和。</translation>
+    </message>
+    <message>
+        <source>Dendrite aggregates, unrimed</source>
+        <translation>枝状聚合体，无凇附</translation>
+    </message>
+    <message>
+        <source>Dendrite aggregates, densely rimed</source>
+        <translation>枝状聚合体，重度凇附</translation>
+    </message>
+    <message>
+        <source>Hexagonal graupel</source>
+        <translation>六角霰</translation>
+    </message>
+    <message>
+        <source>Type of snow</source>
+        <translation>雪的类型</translation>
+    </message>
+    <message>
+        <source>Sets mass and fall speed of the flakes (Locatelli and Hobbs 1974).</source>
+        <translation>决定雪花的质量和下落速度（Locatelli 和 Hobbs，1974）。</translation>
+    </message>
+    <message>
+        <source>Rate factor</source>
+        <translation>强度系数</translation>
+    </message>
+    <message>
+        <source>Factor on the weather&apos;s precipitation.</source>
+        <translation>天气降水量的倍数。</translation>
+    </message>
+    <message>
+        <source>Fall spread</source>
+        <translation>下落散布</translation>
+    </message>
+    <message>
+        <source>Half-angle of the cone of fall directions; softens the edge of shelter.</source>
+        <translation>下落方向锥体的半角；使遮挡边缘柔和。</translation>
+    </message>
+    <message>
+        <source>Flutter amplitude</source>
+        <translation>飘动幅度</translation>
+    </message>
+    <message>
+        <source>Sideways swing of a flake about its path.</source>
+        <translation>雪花绕其路径的横向摆动。</translation>
+    </message>
+    <message>
+        <source>Flutter rate</source>
+        <translation>飘动频率</translation>
+    </message>
+    <message>
+        <source>Angular rate of the swing, rad/s.</source>
+        <translation>摆动的角速率，rad/s。</translation>
+    </message>
+    <message>
+        <source>Flake box</source>
+        <translation>雪花盒</translation>
+    </message>
+    <message>
+        <source>Edge of the box round the camera in which flakes are drawn.</source>
+        <translation>摄像机周围绘制雪花的立方体边长。</translation>
+    </message>
+    <message>
+        <source>Flakes drawn</source>
+        <translation>绘制雪花数</translation>
+    </message>
+    <message>
+        <source>Number of flakes in the box; each stands for as many real ones as the precipitation asks for.</source>
+        <translation>盒中雪花的数量；每片代表降水量所要求的若干真实雪花。</translation>
+    </message>
+    <message>
+        <source>Weather</source>
+        <translation>天气</translation>
+    </message>
+    <message>
+        <source>Air, wind, precipitation and sun.</source>
+        <translation>空气、风、降水和太阳。</translation>
+    </message>
+    <message>
+        <source>Snowfall</source>
+        <translation>降雪</translation>
+    </message>
+    <message>
+        <source>Falling snow and the cover it lays.</source>
+        <translation>降雪及其形成的积雪。</translation>
+    </message>
+</context>
+<context>
+    <name>SceneChecks</name>
+    <message>
+        <source>Camera and target stand on the same spot. Move one of them.</source>
+        <translation>摄像机与目标位于同一点。请移动其中一个。</translation>
+    </message>
+    <message>
+        <source>There is no camera: pictures use a default view. Add a camera.</source>
+        <translation>没有摄像机：图像使用默认视图。请添加摄像机。</translation>
+    </message>
+    <message>
+        <source>It snows without weather: default weather is used. Add weather.</source>
+        <translation>降雪但没有天气：使用默认天气。请添加天气。</translation>
+    </message>
+    <message>
+        <source>The last frame comes before the first one.</source>
+        <translation>最后一帧在第一帧之前。</translation>
+    </message>
+    <message>
+        <source>Slopes must shed their snow at a steeper angle than they hold it.</source>
+        <translation>坡面脱落积雪的角度必须大于保持积雪的角度。</translation>
+    </message>
+    <message>
+        <source>Samples per pixel should be 1, 2, 4 or 8.</source>
+        <translation>每像素采样数应为 1、2、4 或 8。</translation>
+    </message>
+</context>
+<context>
+    <name>spin::Application</name>
+    <message>
+        <source>Editor and simulator of winter scenes.</source>
+        <translation>冬季场景的编辑与模拟。</translation>
+    </message>
+    <message>
+        <source>Language of the window: en, cs or zh_CN.</source>
+        <translation>窗口语言：en、cs 或 zh_CN。</translation>
+    </message>
+    <message>
+        <source>Simulates, plays and exports the scene, writes how long the window stood still to FILE as JSON, and ends.</source>
+        <translation>模拟、播放并导出场景，将窗口停顿时间以 JSON 写入 FILE，然后结束。</translation>
+    </message>
+    <message>
+        <source>Writes a picture of the window to FILE once the scene is simulated, and ends.</source>
+        <translation>场景模拟完成后将窗口图像写入 FILE，然后结束。</translation>
+    </message>
+    <message>
+        <source>A scene to open, or terrains and models to import.</source>
+        <translation>要打开的场景，或要导入的地形和模型。</translation>
+    </message>
+</context>
+<context>
+    <name>spin::Autosave</name>
+    <message>
+        <source>The folder for recovery copies cannot be used: %1</source>
+        <translation>无法使用恢复副本文件夹：%1</translation>
+    </message>
+</context>
+<context>
+    <name>spin::ExportDialog</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 分 %2 秒</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 小时 %2 分</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>What to write</source>
+        <translation>写出内容</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>至</translation>
+    </message>
+    <message>
+        <source>Picture size</source>
+        <translation>图像尺寸</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>选择...</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>估计</translation>
+    </message>
+    <message>
+        <source>The same export on the command line</source>
+        <translation>命令行中的相同导出</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Folder for the export</source>
+        <translation>导出文件夹</translation>
+    </message>
+    <message>
+        <source>Choose at least one thing to write.</source>
+        <translation>请至少选择一项写出内容。</translation>
+    </message>
+    <message>
+        <source>The last frame lies before the first.</source>
+        <translation>最后一帧在第一帧之前。</translation>
+    </message>
+    <message>
+        <source>Choose a folder.</source>
+        <translation>请选择文件夹。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s), about %1 on disk</source>
+        <translation>
+            <numerusform>%n 帧，磁盘上约 %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Starting...</source>
+        <translation>正在启动...</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>%p %, %1 left</source>
+        <translation>%p %，剩余 %1</translation>
+    </message>
+    <message>
+        <source>Written to &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt;.</source>
+        <translation>已写入 &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt;。</translation>
+    </message>
+    <message>
+        <source>Stopped. Files written so far stay in the folder.</source>
+        <translation>已停止。已写出的文件保留在文件夹中。</translation>
+    </message>
+    <message>
+        <source>The export failed.</source>
+        <translation>导出失败。</translation>
+    </message>
+</context>
+<context>
+    <name>spin::ExportJob</name>
+    <message>
+        <source>The export program ended unexpectedly.</source>
+        <translation>导出程序意外结束。</translation>
+    </message>
+    <message>
+        <source>The export program could not be started: %1</source>
+        <translation>无法启动导出程序：%1</translation>
+    </message>
+</context>
+<context>
+    <name>spin::FileFlow</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>未保存的更改</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has changes that are not saved.</source>
+        <translation>“%1”有未保存的更改。</translation>
+    </message>
+    <message>
+        <source>Open scene</source>
+        <translation>打开场景</translation>
+    </message>
+    <message>
+        <source>Spindrift scenes (*.spindrift)</source>
+        <translation>Spindrift 场景 (*.spindrift)</translation>
+    </message>
+    <message>
+        <source>Save scene</source>
+        <translation>保存场景</translation>
+    </message>
+    <message>
+        <source>Spindrift</source>
+        <translation>Spindrift</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>scene</translation>
+    </message>
+</context>
+<context>
+    <name>spin::ImportDialog</name>
+    <message>
+        <source>Import terrain</source>
+        <translation>导入地形</translation>
+    </message>
+    <message>
+        <source>Import model</source>
+        <translation>导入模型</translation>
+    </message>
+    <message>
+        <source>Reading...</source>
+        <translation>正在读取...</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>Read again</source>
+        <translation>重新读取</translation>
+    </message>
+    <message>
+        <source>Reads the file with the options above</source>
+        <translation>用上面的选项读取文件</translation>
+    </message>
+    <message>
+        <source>From the file</source>
+        <translation>取自文件</translation>
+    </message>
+    <message>
+        <source>EPSG code</source>
+        <translation>EPSG 代码</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> 米</translation>
+    </message>
+    <message>
+        <source>From the file, or 1 m</source>
+        <translation>取自文件，否则 1 米</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>网格大小</translation>
+    </message>
+    <message>
+        <source>Height unit</source>
+        <translation>高度单位</translation>
+    </message>
+    <message>
+        <source>Cells with this value are holes:</source>
+        <translation>具有此值的网格为空洞：</translation>
+    </message>
+    <message>
+        <source>As the file says</source>
+        <translation>按文件所述</translation>
+    </message>
+    <message>
+        <source>Y is up</source>
+        <translation>Y 轴朝上</translation>
+    </message>
+    <message>
+        <source>Z is up</source>
+        <translation>Z 轴朝上</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>朝上的轴</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>文件单位</translation>
+    </message>
+</context>
+<context>
+    <name>spin::ImportFlow</name>
+    <message>
+        <source>Import terrain or model</source>
+        <translation>导入地形或模型</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither a terrain nor a model this program reads.</source>
+        <translation>“%1”不是本程序可读取的地形或模型。</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+</context>
+<context>
+    <name>spin::ImportJob</name>
+    <message>
+        <source>Terrain and models</source>
+        <translation>地形和模型</translation>
+    </message>
+    <message>
+        <source>Elevation models</source>
+        <translation>高程模型</translation>
+    </message>
+    <message>
+        <source>Models</source>
+        <translation>模型</translation>
+    </message>
+</context>
+<context>
+    <name>spin::IssueModel</name>
+    <message>
+        <source>Scene</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>Node</source>
+        <translation>节点</translation>
+    </message>
+    <message>
+        <source>Issue</source>
+        <translation>问题</translation>
+    </message>
+</context>
+<context>
+    <name>spin::MainActions</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>新建(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>打开(&amp;O)...</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>最近打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>另存为(&amp;A)...</translation>
+    </message>
+    <message>
+        <source>&amp;Collect files beside the scene</source>
+        <translation>将文件收集到场景旁(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Import terrain or model...</source>
+        <translation>导入地形或模型(&amp;I)...</translation>
+    </message>
+    <message>
+        <source>&amp;Export...</source>
+        <translation>导出(&amp;E)...</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>复制(&amp;D)</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>删除(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Set &amp;keys</source>
+        <translation>设置关键帧(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Add node</source>
+        <translation>添加节点(&amp;A)</translation>
+    </message>
+    <message>
+        <source>%1...</source>
+        <translation>%1...</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Frame selection</source>
+        <translation>聚焦所选(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Frame &amp;all</source>
+        <translation>显示全部(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Look through the camera</source>
+        <translation>通过摄像机观看(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Set the camera from the view</source>
+        <translation>按视图设置摄像机(&amp;S)</translation>
+    </message>
+    <message>
+        <source>S&amp;now cover</source>
+        <translation>积雪(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Fa&amp;lling flakes</source>
+        <translation>飘落的雪花(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the layout</source>
+        <translation>重置布局(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Ground shows</source>
+        <translation>地面显示(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Natural colours</source>
+        <translation>自然颜色(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Ground &amp;types</source>
+        <translation>地面类型(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Ground t&amp;emperature</source>
+        <translation>地面温度(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Simulate</source>
+        <translation>模拟(&amp;S)</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>停止(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Simulate &amp;after edits</source>
+        <translation>编辑后自动模拟(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Delete out-of-date frames from disk</source>
+        <translation>从磁盘删除过期帧(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>播放或暂停</translation>
+    </message>
+    <message>
+        <source>Previous frame</source>
+        <translation>上一帧</translation>
+    </message>
+    <message>
+        <source>Next frame</source>
+        <translation>下一帧</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>第一帧</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>最后一帧</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>选择</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Paint ground types</source>
+        <translation>绘制地面类型</translation>
+    </message>
+    <message>
+        <source>Local axes</source>
+        <translation>局部坐标轴</translation>
+    </message>
+    <message>
+        <source>Handles along the model&apos;s own axes (X)</source>
+        <translation>手柄沿模型自身的坐标轴 (X)</translation>
+    </message>
+    <message>
+        <source>Ground type that the brush paints</source>
+        <translation>画笔绘制的地面类型</translation>
+    </message>
+    <message>
+        <source>Rub out</source>
+        <translation>擦除</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> 米</translation>
+    </message>
+    <message>
+        <source>Radius of the brush ([ and ], or Ctrl + wheel)</source>
+        <translation>画笔半径（[ 和 ]，或 Ctrl + 滚轮）</translation>
+    </message>
+    <message>
+        <source>Smaller brush</source>
+        <translation>缩小画笔</translation>
+    </message>
+    <message>
+        <source>Larger brush</source>
+        <translation>放大画笔</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and pointer</source>
+        <translation>按键与鼠标(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;About Spindrift</source>
+        <translation>关于 Spindrift(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Middle button, Alt + left</source>
+        <translation>中键，Alt + 左键</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>旋转视图</translation>
+    </message>
+    <message>
+        <source>Shift + middle button</source>
+        <translation>Shift + 中键</translation>
+    </message>
+    <message>
+        <source>Shift the view</source>
+        <translation>平移视图</translation>
+    </message>
+    <message>
+        <source>Wheel, Ctrl + middle button</source>
+        <translation>滚轮，Ctrl + 中键</translation>
+    </message>
+    <message>
+        <source>Nearer and farther</source>
+        <translation>拉近和拉远</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>单击</translation>
+    </message>
+    <message>
+        <source>Ctrl while dragging a handle</source>
+        <translation>拖动手柄时按 Ctrl</translation>
+    </message>
+    <message>
+        <source>Whole steps: 1 m, 15 degrees, 0.1</source>
+        <translation>整步：1 米、15 度、0.1</translation>
+    </message>
+    <message>
+        <source>Escape while dragging</source>
+        <translation>拖动时按 Escape</translation>
+    </message>
+    <message>
+        <source>Take the drag back</source>
+        <translation>取消拖动</translation>
+    </message>
+    <message>
+        <source>Keys and pointer</source>
+        <translation>按键与鼠标</translation>
+    </message>
+    <message>
+        <source>About Spindrift</source>
+        <translation>关于 Spindrift</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Spindrift %1&lt;/h3&gt;&lt;p&gt;Editor and simulator of winter scenes.&lt;/p&gt;&lt;p&gt;Apache License 2.0. What it builds on is listed in the file NOTICE.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Spindrift %1&lt;/h3&gt;&lt;p&gt;冬季场景的编辑与模拟。&lt;/p&gt;&lt;p&gt;Apache 许可证 2.0。所用组件列于 NOTICE 文件。&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>spin::MainWindow</name>
+    <message>
+        <source>Saved.</source>
+        <translation>已保存。</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>属性</translation>
+    </message>
+    <message>
+        <source>Issues</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>时间轴</translation>
+    </message>
+    <message>
+        <source>Drop an elevation model here</source>
+        <translation>将高程模型拖放到此处</translation>
+    </message>
+    <message>
+        <source>or use File &gt; Import. Models (glTF, OBJ, PLY) are placed on the terrain; a snowfall emitter from Edit &gt; Add node lets it snow.</source>
+        <translation>或使用“文件 &gt; 导入”。模型（glTF、OBJ、PLY）放置在地形上；通过“编辑 &gt; 添加节点”添加降雪即可下雪。</translation>
+    </message>
+    <message>
+        <source>%1[*] - Spindrift</source>
+        <translation>%1[*] - Spindrift</translation>
+    </message>
+    <message>
+        <source>Unsaved work found</source>
+        <translation>发现未保存的工作</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not saved. Its last changes were kept on %2.</source>
+        <translation>“%1”未保存。其最后的更改保存于 %2。</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Delete it</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>稍后</translation>
+    </message>
+    <message>
+        <source>Save first</source>
+        <translation>请先保存</translation>
+    </message>
+    <message>
+        <source>Exports are made from the saved scene. Save it now?</source>
+        <translation>导出使用已保存的场景。现在保存吗？</translation>
+    </message>
+</context>
+<context>
+    <name>spin::OutlinerPanel</name>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Add a node to the scene</source>
+        <translation>向场景添加节点</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+</context>
+<context>
+    <name>spin::PathEditor</name>
+    <message>
+        <source>Choose a file</source>
+        <translation>选择文件</translation>
+    </message>
+</context>
+<context>
+    <name>spin::PropertyPanel</name>
+    <message>
+        <source>Nothing is selected</source>
+        <translation>未选择任何内容</translation>
+    </message>
+</context>
+<context>
+    <name>spin::PropertyRowEditor</name>
+    <message>
+        <source>Back to the default</source>
+        <translation>恢复默认值</translation>
+    </message>
+    <message>
+        <source>Set a key: animate this property</source>
+        <translation>设置关键帧：为此属性制作动画</translation>
+    </message>
+    <message>
+        <source>Animated; set a key at this frame</source>
+        <translation>已有动画；在此帧设置关键帧</translation>
+    </message>
+    <message>
+        <source>Remove the key at this frame</source>
+        <translation>删除此帧的关键帧</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>阶跃</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>线性</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+</context>
+<context>
+    <name>spin::SceneDocument</name>
+    <message>
+        <source>Untitled</source>
+        <translation>未命名</translation>
+    </message>
+    <message>
+        <source>The scene has no file name yet.</source>
+        <translation>场景还没有文件名。</translation>
+    </message>
+    <message>
+        <source>The scene is being saved already.</source>
+        <translation>场景正在保存。</translation>
+    </message>
+</context>
+<context>
+    <name>spin::SceneTools</name>
+    <message>
+        <source>The painted layers are still being read.</source>
+        <translation>绘制的图层仍在读取。</translation>
+    </message>
+    <message>
+        <source>Paint ground</source>
+        <translation>绘制地面</translation>
+    </message>
+    <message>
+        <source>Ground types</source>
+        <translation>地面类型</translation>
+    </message>
+    <message>
+        <source>Set camera from view</source>
+        <translation>按视图设置摄像机</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>摄像机</translation>
+    </message>
+    <message>
+        <source>Select a node first: keys are set on its animated properties.</source>
+        <translation>请先选择节点：关键帧设置在其动画属性上。</translation>
+    </message>
+    <message>
+        <source>Nothing of this node is animated yet: use the key buttons beside its properties.</source>
+        <translation>此节点尚无动画：请使用属性旁的关键帧按钮。</translation>
+    </message>
+    <message>
+        <source>Set keys</source>
+        <translation>设置关键帧</translation>
+    </message>
+</context>
+<context>
+    <name>spin::SimulationController</name>
+    <message>
+        <source>Simulation stopped.</source>
+        <translation>模拟已停止。</translation>
+    </message>
+    <message>
+        <source>Stale frames deleted.</source>
+        <translation>过期帧已删除。</translation>
+    </message>
+</context>
+<context>
+    <name>spin::StatusPanel</name>
+    <message>
+        <source>%1 s per frame, %2 %3 %</source>
+        <translation>每帧 %1 秒，%2 %3 %</translation>
+    </message>
+    <message>
+        <source>Stop the simulation</source>
+        <translation>停止模拟</translation>
+    </message>
+    <message>
+        <source>Simulated frames in memory and on disk</source>
+        <translation>内存和磁盘中的模拟帧</translation>
+    </message>
+    <message>
+        <source>Time to draw the last picture of the view</source>
+        <translation>绘制视图最近一幅图像的时间</translation>
+    </message>
+    <message>
+        <source>What simulates: instruction set of the processor, or graphics card</source>
+        <translation>模拟设备：处理器指令集或显卡</translation>
+    </message>
+    <message>
+        <source>Reading files...</source>
+        <translation>正在读取文件...</translation>
+    </message>
+    <message>
+        <source>Simulating...</source>
+        <translation>正在模拟...</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>第 %1 帧，共 %2 帧</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2, %3 left</source>
+        <translation>第 %1 帧，共 %2 帧，剩余 %3</translation>
+    </message>
+    <message>
+        <source>Cache %1</source>
+        <translation>缓存 %1</translation>
+    </message>
+    <message>
+        <source>Simulated frames: %1 in memory, %2 on disk, of these %3 out of date</source>
+        <translation>模拟帧：内存 %1，磁盘 %2，其中过期 %3</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 毫秒</translation>
+    </message>
+</context>
+<context>
+    <name>spin::TimelineBar</name>
+    <message>
+        <source>Frame %1: simulated</source>
+        <translation>第 %1 帧：已模拟</translation>
+    </message>
+    <message>
+        <source>Frame %1: from before the last change</source>
+        <translation>第 %1 帧：上次更改之前的结果</translation>
+    </message>
+    <message>
+        <source>Frame %1: not simulated yet</source>
+        <translation>第 %1 帧：尚未模拟</translation>
+    </message>
+</context>
+<context>
+    <name>spin::TimelinePanel</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>First frame (Home)</source>
+        <translation>第一帧 (Home)</translation>
+    </message>
+    <message>
+        <source>Previous frame (Left)</source>
+        <translation>上一帧（左箭头）</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>暂停（空格）</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>播放（空格）</translation>
+    </message>
+    <message>
+        <source>Next frame (Right)</source>
+        <translation>下一帧（右箭头）</translation>
+    </message>
+    <message>
+        <source>Last frame (End)</source>
+        <translation>最后一帧 (End)</translation>
+    </message>
+    <message>
+        <source>Current frame</source>
+        <translation>当前帧</translation>
+    </message>
+</context>
+<context>
+    <name>spin::Viewport</name>
+    <message>
+        <source>No OpenGL 4.5 here, so the scene cannot be drawn. Everything else works.</source>
+        <translation>此处没有 OpenGL 4.5，无法绘制场景。其他功能均可使用。</translation>
+    </message>
+    <message>
+        <source>Camera view</source>
+        <translation>摄像机视图</translation>
+    </message>
+</context>
+</TS>
