@@ -101,20 +101,37 @@ void blend(ImageFloat& image, int x0, int y0, int size, float grey, float share)
     }
 }
 
-void drawLine(ImageFloat& image, const std::string& line, int x0, int y0, int scale, float grey,
-              float share) {
+/// Whether the letter covers the pixel or one beside it.
+bool covers(char c, int column, int row, int reach) {
+  for (int y = row - reach; y <= row + reach; ++y)
+    for (int x = column - reach; x <= column + reach; ++x)
+      if (BitmapFont::covers(c, x, y)) return true;
+  return false;
+}
+
+/// Light letters with a dark rim, legible on snow and on forest alike.
+void drawLine(ImageFloat& image, const std::string& line, int x0, int y0, int scale) {
   for (std::size_t i = 0; i < line.size(); ++i)
-    for (int row = 0; row < BitmapFont::kGlyphHeight; ++row)
-      for (int column = 0; column < BitmapFont::kGlyphWidth; ++column)
-        if (BitmapFont::covers(line[i], column, row))
-          blend(image, x0 + (static_cast<int>(i) * BitmapFont::kAdvance + column) * scale, y0 + row * scale,
-                scale, grey, share);
+    for (int row = -1; row <= BitmapFont::kGlyphHeight; ++row)
+      for (int column = -1; column <= BitmapFont::kGlyphWidth; ++column) {
+        const int x = x0 + (static_cast<int>(i) * BitmapFont::kAdvance + column) * scale;
+        const int y = y0 + row * scale;
+        // The rims of neighbours overlap in one column; a letter is never darkened by the next one's rim.
+        const bool ofBefore = column < 0 && i > 0;
+        if (covers(line[i], column, row, 0))
+          blend(image, x, y, scale, 0.95f, 0.95f);
+        else if (!ofBefore && covers(line[i], column, row, 1))
+          blend(image, x, y, scale, 0.02f, 0.6f);
+        else if (column == BitmapFont::kGlyphWidth && i + 1 < line.size() && covers(line[i + 1], -1, row, 1))
+          blend(image, x, y, scale, 0.02f, 0.6f);
+      }
 }
 
 }  // namespace
 
 bool BitmapFont::covers(char c, int column, int row) {
   if (c < ' ' || c > '~') return false;
+  if (column < 0 || row < 0 || column >= kGlyphWidth || row >= kGlyphHeight) return false;
   const std::string_view glyph = kGlyphs[static_cast<std::size_t>(c - ' ')];
   return (digit(glyph[static_cast<std::size_t>(row)]) >> (kGlyphWidth - 1 - column)) & 1;
 }
@@ -149,8 +166,7 @@ void drawCaption(ImageFloat& image, const std::vector<std::string>& paragraphs) 
     for (std::string& line : wrapText(toFontLetters(paragraph), columns)) lines.push_back(std::move(line));
   int y = image.height - margin - static_cast<int>(lines.size()) * BitmapFont::kLineHeight * scale;
   for (const std::string& line : lines) {
-    drawLine(image, line, margin + scale, y + scale, scale, 0.0f, 0.65f);
-    drawLine(image, line, margin, y, scale, 0.95f, 0.9f);
+    drawLine(image, line, margin, y, scale);
     y += BitmapFont::kLineHeight * scale;
   }
 }

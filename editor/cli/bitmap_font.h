@@ -15,7 +15,7 @@ struct BitmapFont {
   static constexpr int kLineHeight = 11;
   static constexpr int kGlyphWidth = 5;
   static constexpr int kGlyphHeight = 9;  ///< the baseline is below row 6
-  /// Whether the glyph of an ASCII character covers (column, row).
+  /// Whether the glyph of an ASCII character covers (column, row); nothing is covered outside the cell.
   static bool covers(char c, int column, int row);
 };
 
@@ -24,7 +24,7 @@ std::string toFontLetters(const std::string& utf8);
 /// Breaks at blanks so that no line has more than `columns` letters (a longer word is cut).
 std::vector<std::string> wrapText(const std::string& text, int columns);
 
-/// Draws text lines into the lower left corner, white with a dark shadow, sized to the picture's height.
+/// Draws text lines into the lower left corner, light with a dark rim, sized to the picture's height.
 void drawCaption(ImageFloat& image, const std::vector<std::string>& paragraphs);
 
 }  // namespace spin

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include "core/base/log.h"
 #include "core/bench/bench_case.h"
@@ -120,6 +121,10 @@ int jobCommand(const std::string& name, Words& words, const CancelToken& cancel)
   const PluginHost plugins;
   for (const std::string& warning : plugins.warnings()) logWarning(warning);
   ProgressPrinter printer(words.progress == "json" ? ProgressStyle::Json : ProgressStyle::Lines, stdout);
+  words.job.abandon = [&printer](const Error& error) {
+    printer.failed(error);
+    std::_Exit(fail(error));
+  };
   const Result<JobReport> report = runJob(
       words.job, plugins, [&](const Progress& p) { printer.print(p); }, cancel);
   if (!report) {

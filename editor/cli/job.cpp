@@ -185,7 +185,7 @@ Result<FramePointer> Job::frameAt(int frame) {
 }
 
 Status Job::exportFrames() {
-  JobExport out(m_opened, m_options, m_report.frames, m_plugins);
+  JobExport out(m_opened, m_options, m_report.frames, m_plugins, m_cancel);
   if (Status begun = out.begin(); !begun) return begun;
   const auto start = std::chrono::steady_clock::now();
   Status status;
@@ -196,7 +196,7 @@ Status Job::exportFrames() {
            m_simulationShare, 1.0 - m_simulationShare,
            done > 0 ? spent / done * (m_report.frames.count() - done) : -1.0);
     const Result<FramePointer> found = frameAt(frame);
-    status = found ? out.writeFrame(*found, m_cancel) : Status(found.error());
+    status = found ? out.writeFrame(*found) : Status(found.error());
   }
   const Status finished = out.finish();
   if (!status) return status;

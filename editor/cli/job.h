@@ -35,6 +35,9 @@ struct JobOptions {
   std::string output = "out";
   std::string cache;                 ///< absent = NAME.cache beside the scene
   std::vector<std::string> formats;  ///< image and cache formats; empty = simulate only
+  /// Ends the program; called when a cancelled job hangs in the driver, drawing a large picture. Absent: the
+  /// job waits for the picture.
+  std::function<void(const Error&)> abandon;
 };
 
 /// Files of one format.

@@ -10,6 +10,7 @@
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
 #include "editor/cli/bitmap_font.h"
+#include "editor/cli/cancel_watch.h"
 #include "editor/render/egl_context.h"
 #include "editor/render/renderer.h"
 #include "plugins/host/plugin_host.h"
@@ -18,6 +19,11 @@ namespace spin {
 namespace {
 
 namespace fs = std::filesystem;
+
+Error cancelledAt(int frame) {
+  return {ErrorKind::Cancelled, "The export was cancelled", fmt::format("frame {}", frame),
+          "the user stopped it", "Finished files are kept"};
+}
 
 std::uint64_t bytesOf(const std::string& path) {
   std::error_code error;
@@ -83,11 +89,12 @@ std::vector<std::string> captionLines(const SceneSnapshot& scene) {
 }
 
 JobExport::JobExport(const OpenedScene& opened, const JobOptions& options, FrameRange frames,
-                     const PluginHost& plugins)
+                     const PluginHost& plugins, const CancelToken& cancel)
     : m_opened(opened),
       m_options(options),
       m_frames(frames),
       m_plugins(plugins),
+      m_cancel(cancel),
       m_baseName(fs::path(opened.file).stem().string()) {}
 
 JobExport::~JobExport() = default;
@@ -105,6 +112,7 @@ Status JobExport::begin() {
   m_renderer = std::make_unique<Renderer>();
   if (Status ready = m_renderer->initialise(); !ready) return ready;
   m_renderer->setScene(m_opened.snapshot);
+  if (m_options.abandon) m_watch = std::make_unique<CancelWatch>(m_cancel);
   return {};
 }
 
@@ -151,6 +159,10 @@ std::string JobExport::pathOf(const Pictures& pictures, int frame) const {
 }
 
 Status JobExport::writePictures(const FramePointer& frame) {
+  const CancelWatch::Section section(m_watch.get(), [&] {
+    const Status finished = finish();
+    m_options.abandon(finished ? cancelledAt(frame->info.time.frame) : finished.error());
+  });
   const double time = frame->info.time.film;
   const RenderNode settings = m_opened.snapshot->settings<RenderNode>(time);
   RenderOptions options;
@@ -177,18 +189,15 @@ Status JobExport::writePictures(const FramePointer& frame) {
   return {};
 }
 
-Status JobExport::writeFrame(const FramePointer& frame, const CancelToken& cancel) {
+Status JobExport::writeFrame(const FramePointer& frame) {
   const FramePointer unwrapped = unwrapAtCamera(frame, *m_opened.snapshot);
   for (Cache& cache : m_caches) {
-    if (cancel.cancelled()) break;
+    if (m_cancel.cancelled()) break;
     const ScopedStage stage(m_timings, cache.format);
     if (!cache.exporter->applies(*unwrapped)) continue;
     if (Status written = cache.exporter->writeFrame(*unwrapped); !written) return written;
   }
-  if (cancel.cancelled())
-    return Error{ErrorKind::Cancelled, "The export was cancelled",
-                 fmt::format("frame {}", frame->info.time.frame), "the user stopped it",
-                 "Finished files are kept"};
+  if (m_cancel.cancelled()) return cancelledAt(frame->info.time.frame);
   return m_pictures.empty() ? Status() : writePictures(frame);
 }
 

@@ -13,6 +13,7 @@
 
 namespace spin {
 
+class CancelWatch;
 class EglContext;
 class Renderer;
 
@@ -29,12 +30,12 @@ std::vector<std::string> creditLines(const SceneSnapshot& scene);
 class JobExport {
  public:
   JobExport(const OpenedScene& opened, const JobOptions& options, FrameRange frames,
-            const PluginHost& plugins);
+            const PluginHost& plugins, const CancelToken& cancel);
   ~JobExport();
 
   /// Checks the formats, makes the folders, the context for pictures and the exporters.
   Status begin();
-  Status writeFrame(const FramePointer& frame, const CancelToken& cancel);
+  Status writeFrame(const FramePointer& frame);
   /// Index files; also after a cancel, for what is there.
   Status finish();
 
@@ -58,12 +59,14 @@ class JobExport {
   const JobOptions& m_options;
   FrameRange m_frames;
   const PluginHost& m_plugins;
+  const CancelToken& m_cancel;
   std::string m_baseName;
   std::unique_ptr<EglContext> m_context;
   std::unique_ptr<Renderer> m_renderer;  ///< after the context: it dies first
   std::vector<Pictures> m_pictures;
   std::vector<Cache> m_caches;
   StageTimings m_timings;
+  std::unique_ptr<CancelWatch> m_watch;  ///< last: its thread uses the others
 };
 
 /// Folder of a format below the output folder: "images", "particles", "cover", ...

@@ -42,6 +42,21 @@ TEST_F(Pictures, CarryTheCreditUnlessSwitchedOff) {
   EXPECT_NE(with.at("images/tiny.0001.png"), without.at("images/tiny.0001.png"));
 }
 
+TEST_F(Pictures, ACancelDoesNotWaitForAHugePicture) {
+  test::Program program(folder,
+                        {"run", scene, "--frames", "0:3", "--format", "vtp", "--format", "png8", "--output",
+                         folder / "a", "--progress", "json", "--set", "render.width_px=7000", "--set",
+                         "render.height_px=5000", "--set", "render.samples=8"});
+  ASSERT_TRUE(program.waitFor("\"stage\":\"export\""));
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  const auto start = std::chrono::steady_clock::now();
+  program.kill(SIGTERM);
+  EXPECT_EQ(program.wait(), 5);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(1500));
+  EXPECT_EQ(test::numberOf(test::progressLines(program.out()).back(), "exit_code"), 5);
+  EXPECT_TRUE(test::filesBelow(folder / "a").count("paraview/tiny.pvd")) << "indexes are closed all the same";
+}
+
 TEST_F(Pictures, SayThatMissingFramesAreSimulated) {
   const auto outcome = test::runProgram(folder, {"render", scene, "--frames", "1", "--output", folder / "a"});
   EXPECT_NE(outcome.error.find("2 frames to simulate"), std::string::npos) << outcome.error;
