@@ -19,6 +19,8 @@ Result<PaintTiles::Diff> diffOf(const SceneNode& node, const TiledRaster<T>& aft
     return notPainted(node.id, "the node holds another kind of layer");
   if (before && (before->width() != after.width() || before->height() != after.height()))
     return notPainted(node.id, "its size differs from the one there is");
+  // A blank layer has no tiles to look at, but may be of the wrong kind.
+  if (Status status = checkLayer(node, TiledRaster<T>(1, 1, after.fill())); !status) return status.error();
   auto diff = TileDiff<T>::between(before, after);
   // Only what changed is looked at: a stroke calls this for every move of the pointer.
   for (const auto& [index, change] : diff.tiles) {

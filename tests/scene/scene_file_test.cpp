@@ -33,9 +33,9 @@ Value otherValue(const NodeType& type, const PropertyInfo& property) {
   if (const auto* flag = std::get_if<bool>(&value)) return !*flag;
   if (const auto* integer = std::get_if<std::int64_t>(&value))
     return *integer == 0 ? *integer + 1 : *integer - 1;
-  const double third = property.min + (property.max - property.min) / 3.0;
-  if (std::holds_alternative<double>(value)) return third;
-  if (std::holds_alternative<Vec3d>(value)) return Vec3d{third, property.min, property.max};
+  const double inside = property.min + 0.37 * (property.max - property.min);
+  if (std::holds_alternative<double>(value)) return inside;
+  if (std::holds_alternative<Vec3d>(value)) return Vec3d{inside, property.min, property.max};
   return std::string("a \"b\" \u00e9 / c");
 }
 

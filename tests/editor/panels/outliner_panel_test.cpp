@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/panels/outliner_panel.h"
+
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeView>
+
+#include "editor/document/scene_document.h"
+#include "editor/models/issue_model.h"
+#include "editor/models/node_list_model.h"
+#include "editor/panels/issues_panel.h"
+#include "tests/support/fake_asset_reader.h"
+
+using namespace spin;
+
+class OutlinerPanelTest : public QObject {
+  Q_OBJECT
+ private:
+  std::shared_ptr<FakeAssetReader> m_reader = std::make_shared<FakeAssetReader>();
+
+ private Q_SLOTS:
+  void selectionGoesBothWays();
+  void nodesAreAddedAndRemoved();
+  void issuesLeadToTheirNode();
+};
+
+void OutlinerPanelTest::selectionGoesBothWays() {
+  SceneDocument document(m_reader);
+  OutlinerPanel panel(&document);
+  panel.show();
+  document.select("camera");
+  QCOMPARE(panel.view()->currentIndex().data(NodeListModel::IdRole).toString(), QStringLiteral("camera"));
+  panel.view()->setCurrentIndex(panel.view()->model()->index(0, 0));
+  QCOMPARE(document.selected(), std::string("weather"));
+  QSignalSpy activated(&panel, &OutlinerPanel::nodeActivated);
+  const QPoint centre = panel.view()->visualRect(panel.view()->currentIndex()).center();
+  QTest::mouseClick(panel.view()->viewport(), Qt::LeftButton, {}, centre);
+  QTest::mouseDClick(panel.view()->viewport(), Qt::LeftButton, {}, centre);
+  QCOMPARE(activated.count(), 1);
+}
+
+void OutlinerPanelTest::nodesAreAddedAndRemoved() {
+  SceneDocument document(m_reader);
+  OutlinerPanel panel(&document);
+  panel.show();
+  QMenu menu;
+  panel.fillAddMenu(&menu);
+  auto* weather = menu.findChild<QAction*>(QStringLiteral("add_weather"));
+  auto* model = menu.findChild<QAction*>(QStringLiteral("add_model"));
+  QVERIFY(weather && model);
+  QVERIFY2(!weather->isEnabled(), "there is one already");
+  model->trigger();
+  model->trigger();
+  QCOMPARE(document.selected(), std::string("model_2"));
+  QCOMPARE(panel.view()->currentIndex().data(NodeListModel::IdRole).toString(), QStringLiteral("model_2"));
+  panel.activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(&panel));
+  panel.view()->setFocus();
+  QTest::keyClick(panel.view(), Qt::Key_Delete);
+  QVERIFY(!document.node("model_2"));
+  QVERIFY(document.node("model"));
+}
+
+void OutlinerPanelTest::issuesLeadToTheirNode() {
+  SceneDocument document(m_reader);
+  IssuesPanel panel(&document);
+  panel.resize(600, 200);
+  panel.show();
+  document.setIssues(QStringLiteral("x"),
+                     {{Severity::Error, "weather", "cloud_cover", QStringLiteral("bad")}});
+  QSignalSpy revealed(&document, &SceneDocument::revealRequested);
+  const QModelIndex issue = panel.view()->model()->index(0, IssueModel::TextColumn);
+  const QPoint place = panel.view()->visualRect(issue).center();
+  QTest::mouseClick(panel.view()->viewport(), Qt::LeftButton, {}, place);
+  QTest::mouseDClick(panel.view()->viewport(), Qt::LeftButton, {}, place);
+  QTRY_VERIFY(revealed.count() > 0);
+  QCOMPARE(document.selected(), std::string("weather"));
+}
+
+QTEST_MAIN(OutlinerPanelTest)
+#include "outliner_panel_test.moc"
