@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 
 #include "editor/render/model_pass.h"
+#include "editor/render/texel_code.h"
 
 namespace spin {
 namespace {
@@ -42,12 +44,18 @@ GlTexture uploadTexture(const Image8& image) {
   const auto size = static_cast<std::size_t>(std::max(image.width, 0)) *
                     static_cast<std::size_t>(std::max(image.height, 0));
   if (size == 0 || image.rgba.size() != size * 4) return {};
+  std::array<std::uint8_t, 256> root{};
+  for (std::size_t k = 0; k < root.size(); ++k)
+    root[k] = encodeRoot(srgbToLinear(static_cast<std::uint8_t>(k)));
+  std::vector<std::uint8_t> texels = image.rgba;
+  for (std::size_t k = 0; k < texels.size(); ++k)
+    if (k % 4 != 3) texels[k] = root[texels[k]];
   GlTexture texture = GlTexture::make(GLenum{GL_TEXTURE_2D});
   int levels = 1;
   while ((std::max(image.width, image.height) >> levels) > 0) ++levels;
-  glTextureStorage2D(texture.id(), levels, GL_SRGB8_ALPHA8, image.width, image.height);
+  glTextureStorage2D(texture.id(), levels, GL_RGBA8, image.width, image.height);
   glTextureSubImage2D(texture.id(), 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                      image.rgba.data());
+                      texels.data());
   glGenerateTextureMipmap(texture.id());
   setSampling(texture, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);
   return texture;

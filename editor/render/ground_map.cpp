@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/nodes/ground_nodes.h"
+#include "editor/render/texel_code.h"
 
 namespace spin {
 namespace {
@@ -21,14 +22,8 @@ float roughnessOf(GroundType type) {
   return kRoughness[static_cast<std::size_t>(type)];
 }
 
-std::uint8_t encodeSrgb(double linear) {
-  const double c = std::clamp(linear, 0.0, 1.0);
-  const double s = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255.0 * s));
-}
-
 Texel texelOf(Vec3d colour, float roughness) {
-  return {encodeSrgb(colour.x), encodeSrgb(colour.y), encodeSrgb(colour.z),
+  return {encodeRoot(colour.x), encodeRoot(colour.y), encodeRoot(colour.z),
           static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(roughness / 0.1f, 0.0f, 1.0f)))};
 }
 
@@ -96,7 +91,7 @@ void GroundMap::update(const SceneSnapshot& scene, double filmTime, GroundDispla
   bool all = display != m_display || source.base != m_base;
   if (!m_texture || width != m_width || height != m_height) {
     m_texture = GlTexture::make(GLenum{GL_TEXTURE_2D});
-    glTextureStorage2D(m_texture.id(), 1, GL_SRGB8_ALPHA8, width, height);
+    glTextureStorage2D(m_texture.id(), 1, GL_RGBA8, width, height);
     setSampling(m_texture, GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
     all = true;
   }

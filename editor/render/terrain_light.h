@@ -18,9 +18,9 @@ std::vector<Vec4f> terrainNormalsAndSky(const Raster<float>& heights);
 /// `toSun` (unit, z > 0). Very low where nothing shades. One sweep from the sun's side over the raster.
 std::vector<float> terrainShadowHeights(const Raster<float>& heights, Vec3d toSun);
 
-/// Both as bytes for a texture, RGBA per cell: 128 + 127 x and y of the normal, sky share and the share of the
-/// sun that the terrain lets through, 255 = all. That share grows from the shadow's top over `edge` m; half of
-/// what the sun's ray climbs in a cell keeps lit ground lit and softens the shadow's outline.
+/// Both as bytes for a texture, RGBA per cell: 128 + 127 x and y of the normal, sky share and the share of
+/// the sun that the terrain lets through, 255 = all. That share grows from the shadow's top over `edge` m;
+/// half of what the sun's ray climbs in a cell keeps lit ground lit and softens the shadow's outline.
 std::vector<std::uint8_t> packTerrainLight(const Raster<float>& heights,
                                            const std::vector<Vec4f>& normalsAndSky,
                                            const std::vector<float>& shadowHeights, float edge);

@@ -72,7 +72,7 @@ vec3 snowSparkle(float white, vec3 normal, vec3 toEye, float distance, float sun
 // Tone curve: linear below 0.7, then a shoulder that keeps highlights from clipping.
 vec3 shoulder(vec3 colour) {
   vec3 high = max(colour - 0.7, 0.0);
-  return min(colour, 0.7) + 0.32 * (1.0 - exp(-high / 0.32));
+  return min(colour, 0.7) + 0.4 * high / (high + 0.4);
 }
 
 // Colour of the haze before a point and, in w, the share of the point's own light that passes it. It varies

@@ -13,7 +13,9 @@ uniform vec4 uHighlight;  // colour and strength
 layout(location = 0) out vec4 oColour;
 
 void main() {
-  vec4 base = uBaseColour * mix(vec4(1.0), texture(uTexture, vUv), uSurface.x);
+  vec4 texel = texture(uTexture, vUv);
+  texel.rgb *= texel.rgb;  // stored as roots
+  vec4 base = uBaseColour * mix(vec4(1.0), texel, uSurface.x);
 #ifdef CUTOUT
   // Mip levels thin out cut-outs; raising alpha with the level keeps their area.
   float level = max(textureQueryLod(uTexture, vUv).x, 0.0);

@@ -7,7 +7,7 @@ in vec4 vHaze;
 #ifdef FINE
 in vec4 vSnow;
 #endif
-layout(binding = 5) uniform sampler2D uGround;     // colour, roughness / 0.1 m
+layout(binding = 5) uniform sampler2D uGround;     // roots of the colour, roughness / 0.1 m
 layout(binding = 6) uniform sampler2D uSnowDepth;  // m
 #ifdef NEAR
 uniform vec4 uCuts[16];  // x0, y0, x1, y1 drawn by fine grids
@@ -35,11 +35,13 @@ void main() {
   vec3 normal = vec3(tilt, sqrt(max(1.0 - dot(tilt, tilt), 0.01)));
 #ifdef FALSE_COLOURS
   float shade = 0.35 + 0.65 * max(dot(normal, vec3(-0.42, -0.32, 0.85)), 0.0);
-  oColour = vec4(finish(texture(uGround, uv).rgb * shade, vHaze), 1.0);
+  vec3 root = texture(uGround, uv).rgb;
+  oColour = vec4(finish(root * root * shade, vHaze), 1.0);
 #else
   vec4 broad = texture(uNoise, vPosition.xy * (1.0 / 61.0));
   // Types blend over a ragged seam instead of along the raster.
   vec4 ground = texture(uGround, uv + (broad.gb - 0.5) * (2.2 / uTerrainSize.xy));
+  ground.rgb *= ground.rgb;
   float roughness = max(ground.a * 0.1, 0.002);
   float sunlit = light.a, skyOpen = light.z;
 #ifdef FINE
