@@ -48,13 +48,13 @@ UiMeasurement::UiMeasurement(MainWindow* window, const QString& scene, const QSt
   connect(&window->simulation(), &SimulationController::finished, this, [this](const QString& problem) {
     if (m_phase != Phase::Simulate) return;
     endPhase();
-    if (!problem.isEmpty()) return write(false);
+    if (!problem.isEmpty()) return finish(false);
     begin(Phase::Play);
   });
   connect(&m_export, &ExportJob::finished, this, [this](bool ok, bool, const QString& message) {
     endPhase();
     if (!ok) qWarning("%s", qPrintable(message));
-    write(ok);
+    finish(ok);
   });
 }
 
@@ -95,6 +95,7 @@ void UiMeasurement::endPhase() {
   m_figures.back().seconds = static_cast<double>(m_elapsed.nsecsElapsed()) * 1e-9;
   m_figures.back().longestBlock = m_watchdog.longestBlockSeconds();
   m_turn.stop();
+  save(false);
 }
 
 void UiMeasurement::turnView() {
@@ -103,8 +104,13 @@ void UiMeasurement::turnView() {
   m_window->viewport().setCamera(camera.camera());
 }
 
-void UiMeasurement::write(bool ok) {
+void UiMeasurement::finish(bool ok) {
   m_phase = Phase::Done;
+  const bool saved = save(ok);
+  Q_EMIT done(ok && saved);
+}
+
+bool UiMeasurement::save(bool ok) const {
   QJsonArray phases;
   for (const Figures& figures : m_figures) {
     const auto& drawn = figures.drawSeconds;
@@ -129,8 +135,7 @@ void UiMeasurement::write(bool ok) {
                            {QStringLiteral("device"), m_window->simulation().deviceName()},
                            {QStringLiteral("phases"), phases}};
   QFile file(m_reportFile);
-  const bool written = file.open(QIODevice::WriteOnly) && file.write(QJsonDocument(report).toJson()) > 0;
-  Q_EMIT done(ok && written);
+  return file.open(QIODevice::WriteOnly) && file.write(QJsonDocument(report).toJson()) > 0;
 }
 
 }  // namespace spin

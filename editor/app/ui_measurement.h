@@ -41,7 +41,9 @@ class UiMeasurement : public QObject {
   void endPhase();
   void turnView();
   void startExport();
-  void write(bool ok);
+  void finish(bool ok);
+  /// Writes what is measured so far, so that an interrupted run is not lost.
+  bool save(bool ok) const;
 
   MainWindow* m_window;
   QString m_scene;

@@ -6,11 +6,12 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+
+#include "editor/timeline/transport_icons.h"
 
 namespace spin {
 
@@ -29,11 +30,12 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent), m_bar(new Timel
   m_play = addButton("play");
   m_next = addButton("nextFrame");
   m_toLast = addButton("toLast");
-  m_toFirst->setIcon(style()->standardIcon(QStyle::SP_MediaSkipBackward));
-  m_previous->setIcon(style()->standardIcon(QStyle::SP_MediaSeekBackward));
-  m_play->setIcon(style()->standardIcon(QStyle::SP_MediaPlay));
-  m_next->setIcon(style()->standardIcon(QStyle::SP_MediaSeekForward));
-  m_toLast->setIcon(style()->standardIcon(QStyle::SP_MediaSkipForward));
+  const QColor ink = palette().color(QPalette::ButtonText);
+  m_toFirst->setIcon(transportIcon(TransportIcon::First, ink));
+  m_previous->setIcon(transportIcon(TransportIcon::Previous, ink));
+  m_play->setIcon(transportIcon(TransportIcon::Play, ink));
+  m_next->setIcon(transportIcon(TransportIcon::Next, ink));
+  m_toLast->setIcon(transportIcon(TransportIcon::Last, ink));
   m_spin = new QSpinBox(this);
   m_spin->setObjectName("currentFrame");
   m_spin->setKeyboardTracking(false);
@@ -99,7 +101,8 @@ void TimelinePanel::scrubTo(int frame) {
 void TimelinePanel::setPlaying(bool on) {
   if (on == m_playing) return;
   m_playing = on;
-  m_play->setIcon(style()->standardIcon(on ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
+  m_play->setIcon(
+      transportIcon(on ? TransportIcon::Pause : TransportIcon::Play, palette().color(QPalette::ButtonText)));
   showTexts();
   if (on)
     restartClock();
