@@ -79,8 +79,8 @@ TEST_F(ModelHostile, MoreThanTheMemoryAllowed) {
   std::string obj;
   constexpr int kEdge = 300;
   for (int i = 0; i < kEdge * kEdge; ++i)
-    obj += "v " + std::to_string(i % kEdge) + " " + std::to_string(i * i % 7) + " " +
-           std::to_string(i / kEdge) + "\n";
+    obj += "v " + std::to_string(i % kEdge) + " " + std::to_string(i % 7) + " " + std::to_string(i / kEdge) +
+           "\n";
   for (int i = 1; i < kEdge * (kEdge - 1); ++i)
     obj += "f " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + kEdge) + "\n";
   const std::string path = write("large.obj", obj);
