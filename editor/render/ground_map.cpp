@@ -48,8 +48,9 @@ struct GroundMap::Source {
       const float painted = temperatures ? temperatures->at(i, j) : std::numeric_limits<float>::quiet_NaN();
       return texelOf(temperatureColour(std::isnan(painted) ? base : static_cast<double>(painted)), 0.0f);
     }
-    const int type = types ? types->at(i, j) : static_cast<int>(base);
-    return table[static_cast<std::size_t>(std::clamp(type, 0, kGroundTypeCount - 1))];
+    const int painted = types ? types->at(i, j) : kUnpaintedGround;
+    const int type = painted < kGroundTypeCount ? painted : static_cast<int>(base);
+    return table[static_cast<std::size_t>(type)];
   }
   std::shared_ptr<const void> tile(int tileX, int tileY) const {
     if (temperature)
