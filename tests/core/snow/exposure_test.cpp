@@ -231,7 +231,7 @@ TEST(SnowProcesses, CancelEndsALongExposureSoon) {
   test.simulation.exposureRays = 4096;
   test.snowfall.fallSpreadDegrees = 15.0;
   const SceneSnapshot scene =
-      test.land(300, 300, 5.0, [](double x, double y) { return 30 * std::sin(0.01 * x * y); }).build();
+      test.land(100, 100, 5.0, [](double x, double y) { return 30 * std::sin(0.01 * x * y); }).build();
   SnowRun run(scene, makeBvhRayScene, 2);
   using Clock = std::chrono::steady_clock;
   std::atomic<Clock::time_point::rep> asked{0};
