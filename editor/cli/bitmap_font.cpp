@@ -121,9 +121,9 @@ void drawLine(ImageFloat& image, const std::string& line, int x0, int y0, int sc
         if (covers(line[i], column, row, 0))
           blend(image, x, y, scale, 0.95f, 0.95f);
         else if (!ofBefore && covers(line[i], column, row, 1))
-          blend(image, x, y, scale, 0.02f, 0.6f);
+          blend(image, x, y, scale, 0.02f, 0.85f);
         else if (column == BitmapFont::kGlyphWidth && i + 1 < line.size() && covers(line[i + 1], -1, row, 1))
-          blend(image, x, y, scale, 0.02f, 0.6f);
+          blend(image, x, y, scale, 0.02f, 0.85f);
       }
 }
 
