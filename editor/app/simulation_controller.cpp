@@ -82,16 +82,34 @@ QString SimulationController::deviceName() const {
 
 void SimulationController::openStore() {
   const std::string folder = cacheFolder().toStdString();
-  if (m_store && m_store->options().directory == folder) return;
+  if (m_store && m_storeFolder == folder) return;
   m_runner->cancel();
-  FrameStoreOptions options;
-  options.directory = folder;
-  m_store = std::make_shared<FrameStore>(options);
+  m_storeFolder = folder;
+  m_store = std::make_shared<FrameStore>();
+  m_storeReady = folder.empty();
+  if (!m_storeReady) {
+    // Taking in a large cache takes time; until it is there an empty store stands in.
+    m_cleaner.start([this, folder] {
+      FrameStoreOptions options;
+      options.directory = folder;
+      auto store = std::make_shared<FrameStore>(options);
+      QMetaObject::invokeMethod(this, [this, store] { takeStore(store); });
+    });
+  }
   m_shown = nullptr;
   Q_EMIT frameShown(nullptr);
   Q_EMIT statesChanged();
   m_runWanted = m_automatic;
   m_debounce.start();
+}
+
+void SimulationController::takeStore(const std::shared_ptr<FrameStore>& store) {
+  if (store->options().directory != m_storeFolder) return;
+  m_store = store;
+  m_storeReady = true;
+  Q_EMIT statesChanged();
+  fetch();
+  if (m_runPending) run();
 }
 
 void SimulationController::setAutomatic(bool on) {
@@ -154,6 +172,8 @@ int SimulationController::lastFrame() const {
 }
 
 void SimulationController::run() {
+  m_runPending = !m_storeReady;
+  if (m_runPending) return;
   const quint64 number = ++m_run;
   RunCallbacks callbacks;
   callbacks.progress = [this, number](const RunProgress& progress) {

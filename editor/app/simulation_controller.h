@@ -75,6 +75,7 @@ class SimulationController : public QObject {
   void takeSnapshot(const SnapshotPointer& snapshot, const std::vector<AssetLibrary::Issue>& issues);
   void readScene();
   void openStore();
+  void takeStore(const std::shared_ptr<FrameStore>& store);
   void run();
   void frameReady(int frame);
   void runFinished(const Status& status, quint64 number);
@@ -89,6 +90,9 @@ class SimulationController : public QObject {
   FrameFetcher m_fetcher;
   QThreadPool m_cleaner;
   std::shared_ptr<FrameStore> m_store;
+  std::string m_storeFolder;
+  bool m_storeReady = false;
+  bool m_runPending = false;  ///< as soon as the store is ready
   SnapshotPointer m_snapshot;
   FramePointer m_shown;
   QTimer m_debounce;

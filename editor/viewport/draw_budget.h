@@ -10,7 +10,7 @@ namespace spin {
 class DrawBudget {
  public:
   static constexpr double kMovingSeconds = 0.030;
-  static constexpr double kStillSeconds = 0.080;
+  static constexpr double kStillSeconds = 0.060;
 
   struct Effort {
     double quality = 1.0;  ///< RenderOptions::quality
