@@ -6,12 +6,15 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <sys/resource.h>
+
 #include "core/base/result.h"
 
 namespace spin {
 namespace {
 
 constexpr qsizetype kMaxMessages = 20000;
+constexpr int kChildNiceness = 5;
 
 QString quoted(const QString& word) {
   static const QString plain = QStringLiteral("-_./:=,+@%");
@@ -55,6 +58,8 @@ QString cliProgram() {
 ExportJob::ExportJob(QObject* parent) : QObject(parent) {
   m_kill.setSingleShot(true);
   m_kill.setInterval(kKillMilliseconds);
+  // The window comes first where both want the processor.
+  m_process.setChildProcessModifier([] { ::setpriority(PRIO_PROCESS, 0, kChildNiceness); });
   connect(&m_kill, &QTimer::timeout, &m_process, &QProcess::kill);
   connect(&m_process, &QProcess::readyReadStandardOutput, this, &ExportJob::readOutput);
   connect(&m_process, &QProcess::readyReadStandardError, this,

@@ -32,7 +32,7 @@ void DrawBudget::report(bool moving, double seconds) {
   if (seconds > budget)
     level *= std::max(0.3, 0.9 * budget / seconds);
   else if (seconds < 0.6 * budget)
-    level *= 1.1;
+    level *= std::clamp(0.8 * budget / std::max(seconds, 1e-6), 1.1, 1.6);
   level = std::clamp(level, kFloor, 1.0);
 }
 

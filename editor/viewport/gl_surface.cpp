@@ -90,6 +90,8 @@ GlSurface::~GlSurface() {
 
 void GlSurface::setScene(SnapshotPointer scene) {
   if (scene == m_scene) return;
+  const bool otherTerrain = !m_scene || !scene || m_scene->terrain != scene->terrain;
+  if (m_samples == 0 && otherTerrain) m_budget.startLow();
   m_scene = std::move(scene);
   m_sceneIsNew = true;
   sceneChanged();
@@ -137,8 +139,10 @@ void GlSurface::initializeGL() {
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlSurface::releaseGl, Qt::DirectConnection);
   QOpenGLExtraFunctions& gl = *context()->extraFunctions();
   m_rendererName = QString::fromUtf8(reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER)));
-  const bool software = m_rendererName.contains(QStringLiteral("llvmpipe")) || m_rendererName.contains(QStringLiteral("softpipe"));
+  const bool software = m_rendererName.contains(QStringLiteral("llvmpipe")) ||
+                        m_rendererName.contains(QStringLiteral("softpipe"));
   m_samples = software ? 0 : 4;
+  if (software) m_budget.startLow();
   m_renderer = std::make_unique<Renderer>();
   const Status status = m_renderer->initialise();
   m_usable = status.ok();
@@ -219,6 +223,10 @@ void GlSurface::drawScene() {
   m_budget.report(m_moving, std::chrono::duration<double>(end - uploaded).count());
   m_drawnEffort = effort;
   m_dirty = false;
+  // Detail that there is time for comes with a later picture.
+  const DrawBudget::Effort next = m_budget.effort(false);
+  const bool better = next.quality > effort.quality || next.scale > effort.scale;
+  if (!m_moving && better) m_settle.start();
   Q_EMIT drawn(m_lastSeconds);
 }
 

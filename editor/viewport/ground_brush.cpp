@@ -45,8 +45,7 @@ std::vector<Vec3d> GroundBrush::rim(const ViewportContext& context) const {
 bool GroundBrush::begin(const ViewportContext& context, Vec2d pixel) {
   hover(context, pixel);
   if (!m_position) return false;
-  m_stroke.emplace(groundTypeLayer(*context.scene), context.scene->terrain->heights, m_radius,
-                   m_value);
+  m_stroke.emplace(groundTypeLayer(*context.scene), context.scene->terrain->heights, m_radius, m_value);
   m_stroke->moveTo({m_position->x, m_position->y});
   return true;
 }

@@ -4,6 +4,7 @@
 #include <QMainWindow>
 #include <QSignalSpy>
 #include <QTest>
+#include <utility>
 
 #include "editor/viewport/gl_surface.h"
 #include "editor/viewport/viewport.h"
@@ -62,8 +63,12 @@ class ViewportGlTest : public QObject {
     viewport.show();
     QVERIFY(QTest::qWaitForWindowExposed(&viewport));
     QTRY_VERIFY(drawn.count() > 0);
-    QTest::qWait(600);
-    const auto before = drawn.count();
+    // Detail comes in a few more pictures; then it is quiet.
+    auto before = drawn.count();
+    for (int k = 0; k < 10; ++k) {
+      QTest::qWait(500);
+      if (std::exchange(before, drawn.count()) == before) break;
+    }
     viewport.gl()->updateOverlay();
     QTest::qWait(200);
     QCOMPARE(drawn.count(), before);
