@@ -130,7 +130,7 @@ void ModelPass::draw(const DrawContext& context, const std::vector<PlacedModel>&
     forParts(*one, [&](const Transform& t, const Material& m, bool textured) {
       const GlProgram& program = textured && m.alphaCutout ? m_cutoutProgram : m_solidProgram;
       program.use();
-      program.set("uHighlight", 1.0f, 0.45f, 0.05f, selected ? 0.6f : 0.0f);
+      program.set("uHighlight", 1.0f, 0.45f, 0.05f, selected ? 0.35f : 0.0f);
       program.setMatrix("uModel", t.toColumnMajor());
       program.setMatrix("uNormalMatrix", normalMatrix(t));
       program.set("uBaseColour", m.baseColour.x, m.baseColour.y, m.baseColour.z, m.baseColour.w);

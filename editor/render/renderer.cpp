@@ -67,6 +67,29 @@ struct Renderer::State {
   void timed(const char* name, const Pass& pass);
 };
 
+namespace {
+
+struct RowRange {
+  int begin = 0, end = 0;
+};
+
+/// Rows of the picture that the band covers; bands that meet leave no row out and draw none twice.
+RowRange rowsOf(const RenderOptions& options) {
+  const auto row = [&](double share) {
+    return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * options.height));
+  };
+  return {row(options.band.x), row(options.band.y)};
+}
+
+void limitToBand(const RenderOptions& options) {
+  const RowRange rows = rowsOf(options);
+  if (rows.begin == 0 && rows.end == options.height) return;
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(0, rows.begin, options.width, rows.end - rows.begin);
+}
+
+}  // namespace
+
 template <class Pass>
 void Renderer::State::timed(const char* name, const Pass& pass) {
   if (!measuring) return pass();
@@ -182,6 +205,7 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
       *scene, camera, filmTime, options, b, Frustum(b.viewProjection), static_cast<double>(b.viewport.z)};
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, options.width, options.height);
+  limitToBand(options);
   const float black[4] = {0.0f, 0.0f, 0.0f, 1.0f}, far = 0.0f;
   glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, black);
   glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far);
@@ -209,6 +233,7 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
   });
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
 }
 
 void Renderer::draw(unsigned framebuffer, const RenderCamera& camera, double filmTime,
@@ -227,8 +252,9 @@ void Renderer::draw(unsigned framebuffer, const RenderCamera& camera, double fil
   // With the conversion off the encoded bytes are copied as they are.
   glDisable(GL_FRAMEBUFFER_SRGB);
   const bool same = inner.width == options.width && inner.height == options.height;
-  glBlitNamedFramebuffer(st.display.framebuffer(), framebuffer, 0, 0, inner.width, inner.height, 0, 0,
-                         options.width, options.height, GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
+  const RowRange from = rowsOf(inner), to = rowsOf(options);
+  glBlitNamedFramebuffer(st.display.framebuffer(), framebuffer, 0, from.begin, inner.width, from.end, 0,
+                         to.begin, options.width, to.end, GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
 }
 
 Result<std::vector<float>> Renderer::drawLinear(const RenderCamera& camera, double filmTime,

@@ -34,6 +34,8 @@ struct RenderOptions {
   std::string selectedNode;  ///< outlined; empty = none
   /// < 1 draws coarser terrain, fewer flakes and, in draw(), fewer pixels that are enlarged (while the user
   /// moves the view).
+  Vec2d band{0.0,
+             1.0};  ///< share of the height to draw, from the bottom; the rest of the target is left as it is
   double quality = 1.0;
 };
 

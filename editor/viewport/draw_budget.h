@@ -17,7 +17,8 @@ class DrawBudget {
     double scale = 1.0;    ///< pixels drawn per pixel shown, along each axis
     friend bool operator==(const Effort&, const Effort&) = default;
   };
-  /// Begins with little detail: for slow drivers, or after a change of scene, until the first times are known.
+  /// Begins with little detail: for slow drivers, or after a change of scene, until the first times are
+  /// known.
   void startLow() { m_moving = m_still = 0.3; }
   Effort effort(bool moving) const;
   /// Tells how long a picture took that was drawn with effort(moving).

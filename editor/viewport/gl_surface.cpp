@@ -77,10 +77,7 @@ GlSurface::GlSurface(QWidget* parent) : QOpenGLWidget(parent) {
   connect(&m_repaint, &QTimer::timeout, this, qOverload<>(&QWidget::update));
   m_settle.setSingleShot(true);
   m_settle.setInterval(kSettleMilliseconds);
-  connect(&m_settle, &QTimer::timeout, this, [this] {
-    m_moving = false;
-    if (m_drawnEffort != m_budget.effort(false)) sceneChanged();
-  });
+  connect(&m_settle, &QTimer::timeout, this, &GlSurface::settled);
   m_sincePaint.start();
 }
 
@@ -120,8 +117,18 @@ void GlSurface::setMoving(bool moving) {
   }
 }
 
+void GlSurface::settled() {
+  m_moving = false;
+  if (m_dirty || m_drawnEffort == DrawBudget::Effort{}) return;
+  if (m_samples > 0) return sceneChanged();
+  m_bands.restart();
+  m_refining = true;
+  scheduleUpdate();
+}
+
 void GlSurface::sceneChanged() {
   m_dirty = true;
+  m_refining = false;
   scheduleUpdate();
 }
 
@@ -159,23 +166,25 @@ void GlSurface::releaseGl() {
   m_renderer.reset();
   m_target.reset();
   m_resolved.reset();
+  m_refined.reset();
+  m_refining = m_showRefined = false;
   doneCurrent();
   m_usable = false;
 }
 
-bool GlSurface::ensureTargets(int width, int height) {
-  const QSize size(width, height);
-  if (m_resolved && m_resolved->size() == size) return true;
+bool GlSurface::ensureTarget(std::unique_ptr<QOpenGLFramebufferObject>& target, QSize size, int samples) {
+  if (target && target->size() == size) return target->isValid();
   QOpenGLFramebufferObjectFormat format;
   format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
   format.setInternalTextureFormat(GL_RGBA8);
-  m_resolved = std::make_unique<QOpenGLFramebufferObject>(size, format);
-  m_target.reset();
-  if (m_samples > 0) {
-    format.setSamples(m_samples);
-    m_target = std::make_unique<QOpenGLFramebufferObject>(size, format);
-  }
-  return m_resolved->isValid() && (!m_target || m_target->isValid());
+  format.setSamples(samples);
+  target = std::make_unique<QOpenGLFramebufferObject>(size, format);
+  return target->isValid();
+}
+
+bool GlSurface::ensureTargets(int width, int height) {
+  const QSize size(width, height);
+  return ensureTarget(m_resolved, size, 0) && (m_samples == 0 || ensureTarget(m_target, size, m_samples));
 }
 
 void GlSurface::paintGL() {
@@ -184,9 +193,13 @@ void GlSurface::paintGL() {
   const double ratio = devicePixelRatioF();
   const int width = std::max(1, static_cast<int>(std::lround(this->width() * ratio)));
   const int height = std::max(1, static_cast<int>(std::lround(this->height() * ratio)));
+  if (m_options.width != width || m_options.height != height) sceneChanged();
   m_options.width = width;
   m_options.height = height;
-  if (m_usable && (m_dirty || !m_resolved)) drawScene();
+  if (m_usable && (m_dirty || !m_resolved))
+    drawScene();
+  else if (m_usable && m_refining)
+    drawBand();
   gl.glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
   gl.glViewport(0, 0, width, height);
   if (m_usable && m_resolved) {
@@ -222,21 +235,37 @@ void GlSurface::drawScene() {
   m_lastSeconds = std::chrono::duration<double>(end - begin).count();
   m_budget.report(m_moving, std::chrono::duration<double>(end - uploaded).count());
   m_drawnEffort = effort;
-  m_dirty = false;
-  // Detail that there is time for comes with a later picture.
-  const DrawBudget::Effort next = m_budget.effort(false);
-  const bool better = next.quality > effort.quality || next.scale > effort.scale;
-  if (!m_moving && better) m_settle.start();
+  m_dirty = m_showRefined = false;
+  // The detail that was left out comes once the view rests.
+  if (effort != DrawBudget::Effort{}) m_settle.start();
   Q_EMIT drawn(m_lastSeconds);
+}
+
+void GlSurface::drawBand() {
+  const auto begin = std::chrono::steady_clock::now();
+  if (!ensureTarget(m_refined, QSize(m_options.width, m_options.height), 0)) {
+    m_refining = false;
+    return;
+  }
+  RenderOptions options = m_options;
+  options.band = m_bands.next();
+  m_renderer->draw(m_refined->handle(), m_camera, m_filmTime, options);
+  context()->functions()->glFinish();
+  m_bands.report(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  if (!m_bands.done()) return scheduleUpdate();
+  m_refining = false;
+  m_showRefined = true;
+  Q_EMIT refined();
 }
 
 void GlSurface::showScene() {
   QOpenGLExtraFunctions& gl = *context()->extraFunctions();
-  gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, m_resolved->handle());
+  const QOpenGLFramebufferObject& shown = m_showRefined ? *m_refined : *m_resolved;
+  gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, shown.handle());
   gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
   gl.glDisable(GL_SCISSOR_TEST);
-  gl.glBlitFramebuffer(0, 0, m_resolved->width(), m_resolved->height(), 0, 0, m_options.width,
-                       m_options.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  gl.glBlitFramebuffer(0, 0, shown.width(), shown.height(), 0, 0, m_options.width, m_options.height,
+                       GL_COLOR_BUFFER_BIT, GL_LINEAR);
   gl.glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
 }
 

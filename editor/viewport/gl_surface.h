@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "editor/render/renderer.h"
+#include "editor/viewport/band_plan.h"
 #include "editor/viewport/draw_budget.h"
 
 class QOpenGLFramebufferObject;
@@ -16,7 +17,8 @@ class QOpenGLFramebufferObject;
 namespace spin {
 
 /// Draws the scene by the Renderer into a picture of its own and shows that with the overlay on top; a change
-/// of the overlay alone does not draw the scene again. At most 30 pictures a second.
+/// of the overlay alone does not draw the scene again. At most 30 pictures a second. On a software driver, a
+/// view that rests is drawn again in full detail, band by band.
 class GlSurface : public QOpenGLWidget {
   Q_OBJECT
  public:
@@ -42,6 +44,8 @@ class GlSurface : public QOpenGLWidget {
  Q_SIGNALS:
   /// After each picture of the scene.
   void drawn(double seconds);
+  /// The resting view is now shown in full detail.
+  void refined();
   /// The driver lacks something; the view stays empty.
   void failed(const QString& message);
 
@@ -54,12 +58,20 @@ class GlSurface : public QOpenGLWidget {
   void sceneChanged();
   void scheduleUpdate();
   void drawScene();
+  void settled();
+  void drawBand();
   void showScene();
   bool ensureTargets(int width, int height);
+  /// Colour and depth of a size; false where the driver has no room.
+  static bool ensureTarget(std::unique_ptr<QOpenGLFramebufferObject>& target, QSize size, int samples);
 
   std::unique_ptr<Renderer> m_renderer;
   std::unique_ptr<QOpenGLFramebufferObject> m_target;    ///< multisampled where the driver is fast
   std::unique_ptr<QOpenGLFramebufferObject> m_resolved;  ///< what is shown
+  std::unique_ptr<QOpenGLFramebufferObject> m_refined;   ///< full detail, band by band
+  BandPlan m_bands;
+  bool m_refining = false;
+  bool m_showRefined = false;
   int m_samples = 0;
   SnapshotPointer m_scene;
   FramePointer m_frame;

@@ -110,12 +110,16 @@ void addGrid(Frame& frame, CoverGrid grid, std::vector<float> depth) {
   frame.parts["cover"] = cover;
 }
 
-Picture drawPicture(Renderer& renderer, const RenderCamera& camera, const RenderOptions& options) {
+Picture drawPicture(Renderer& renderer, const RenderCamera& camera, RenderOptions options,
+                    const std::vector<Vec2d>& bands) {
   const GlRenderbuffer colour = GlRenderbuffer::make();
   glNamedRenderbufferStorage(colour.id(), GL_RGBA8, options.width, options.height);
   const GlFramebuffer target = GlFramebuffer::make();
   glNamedFramebufferRenderbuffer(target.id(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.id());
-  renderer.draw(target.id(), camera, 0.0, options);
+  for (const Vec2d& band : bands) {
+    options.band = band;
+    renderer.draw(target.id(), camera, 0.0, options);
+  }
   std::vector<std::uint8_t> rgba(static_cast<std::size_t>(options.width) *
                                  static_cast<std::size_t>(options.height) * 4);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, target.id());

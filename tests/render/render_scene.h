@@ -63,7 +63,9 @@ struct Picture {
     return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
   }
 };
-Picture drawPicture(Renderer& renderer, const RenderCamera& camera, const RenderOptions& options);
+/// bands: drawn one after the other into the same target.
+Picture drawPicture(Renderer& renderer, const RenderCamera& camera, RenderOptions options,
+                    const std::vector<Vec2d>& bands = {{0.0, 1.0}});
 /// Mean absolute difference of two pictures of one size, in 8-bit steps.
 double difference(const Picture& a, const Picture& b);
 

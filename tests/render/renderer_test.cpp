@@ -56,6 +56,16 @@ TEST_F(RendererTest, SameInputGivesTheSameBytes) {
   EXPECT_EQ(*a, *b);
 }
 
+/// Bands of uneven height, drawn one after the other, give the picture that one draw gives.
+TEST_F(RendererTest, BandsMakeUpTheWholePicture) {
+  const auto [scene, frame] = winter();
+  const Picture whole = draw(scene, frame, kCamera, sized(160, 90));
+  draw(scene, frame, {{100, 92, 12}, {162, 130, 8}, 50}, sized(160, 90));
+  const std::vector<Vec2d> bands{{0.0, 0.211}, {0.211, 0.5}, {0.5, 0.977}, {0.977, 1.0}};
+  EXPECT_NE(drawPicture(*s_renderer, kCamera, sized(160, 90), {bands[0], bands[2]}).rgb, whole.rgb);
+  EXPECT_EQ(drawPicture(*s_renderer, kCamera, sized(160, 90), bands).rgb, whole.rgb);
+}
+
 TEST_F(RendererTest, LinearValuesEncodeToWhatTheViewportShows) {
   const auto [scene, frame] = winter();
   const Picture shown = draw(scene, frame, kCamera, sized(160, 90));

@@ -3,6 +3,7 @@
 #include "editor/viewport/draw_budget.h"
 
 #include <QTest>
+#include "editor/viewport/band_plan.h"
 #include "tests/editor/support/strict.h"
 
 using namespace spin;
@@ -48,6 +49,34 @@ class DrawBudgetTest : public QObject {
     QVERIFY(budget.effort(true).quality < 1.0);
     for (int k = 0; k < 60; ++k) budget.report(true, 0.002);
     QCOMPARE(budget.effort(true), DrawBudget::Effort{});
+  }
+
+  /// Bands cover the picture without gap or overlap and come to the time they may take, whatever the driver.
+  void bandsCoverThePicture_data() {
+    QTest::addColumn<double>("secondsForAll");
+    QTest::newRow("slow") << 2.0;
+    QTest::newRow("medium") << 0.3;
+    QTest::newRow("fast") << 0.001;
+  }
+  void bandsCoverThePicture() {
+    QFETCH(double, secondsForAll);
+    BandPlan plan;
+    double last = 0.0;
+    for (int picture = 0; picture < 4; ++picture) {
+      double reached = 0.0;
+      int bands = 0;
+      for (plan.restart(); !plan.done(); ++bands) {
+        const Vec2d band = plan.next();
+        QCOMPARE(band.x, reached);
+        QVERIFY(band.y > band.x && band.y <= 1.0);
+        QVERIFY(bands < 40);
+        reached = band.y;
+        last = secondsForAll * (band.y - band.x);
+        plan.report(last);
+      }
+      QCOMPARE(reached, 1.0);
+    }
+    QVERIFY(last <= 1.5 * std::max(BandPlan::kBandSeconds, secondsForAll * BandPlan::kLeastShare));
   }
 
   /// What happens while moving does not make still pictures worse.

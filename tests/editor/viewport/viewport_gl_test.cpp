@@ -74,6 +74,27 @@ class ViewportGlTest : public QObject {
     QCOMPARE(drawn.count(), before);
   }
 
+  /// A view that rests is drawn in full detail; one that moves again is not, until it rests again.
+  void refinesWhenItRests() {
+    GlSurface surface;
+    surface.resize(480, 300);
+    surface.setScene(test::hillSnapshot());
+    surface.setView({{128, -80, 140}, {128, 128, 15}, 45}, 0.0, {});
+    QSignalSpy drawn(&surface, &GlSurface::drawn);
+    QSignalSpy refined(&surface, &GlSurface::refined);
+    surface.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&surface));
+    QTRY_VERIFY(drawn.count() > 0);
+    const QImage coarse = surface.grabFramebuffer();
+    QTRY_COMPARE(refined.count(), 1);
+    const QImage fine = surface.grabFramebuffer();
+    QVERIFY(different(coarse, fine) > 50);
+    surface.setView({{128, 20, 60}, {128, 128, 15}, 45}, 0.0, {});
+    surface.setView({{128, -80, 140}, {128, 128, 15}, 45}, 0.0, {});
+    QTRY_COMPARE(refined.count(), 2);
+    QCOMPARE(different(fine, surface.grabFramebuffer()), 0);
+  }
+
   /// Many requests in one go are few pictures: never more than about 30 a second.
   void limitsTheRate() {
     Viewport viewport;
