@@ -13,6 +13,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/fork_join.h"
 #include "core/base/timings.h"
 
 /// The CPU backend. A backend offers arrays, forEach, reduce, scan and a stable sort by key; solvers are
@@ -72,14 +73,19 @@ class CpuBackend {
       for (std::size_t c = 0; c < chunks; ++c) run(c);
       return;
     }
+    ForkJoin order;
+    order.fork();
     m_arena->execute([&] {
       oneapi::tbb::parallel_for(
           oneapi::tbb::blocked_range<std::size_t>(0, chunks, 1),
-          [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
+          [&](const oneapi::tbb::blocked_range<std::size_t>& range) SPIN_BEFORE_FORK {
+            order.enter();
             for (std::size_t c = range.begin(); c != range.end(); ++c) run(c);
+            order.leave();
           },
           oneapi::tbb::simple_partitioner());
     });
+    order.join();
   }
 
   /// combine(... combine(combine(initial, map(0)), map(1)) ...) in a fixed order: per chunk, then over
