@@ -34,6 +34,17 @@ if(SPIN_SANITIZE)
   target_link_options(spin_options INTERFACE -fsanitize=${SPIN_SANITIZE})
 endif()
 
+# What the tests run with under a sanitizer, and how much longer they may take.
+set(SPIN_TEST_PATIENCE 1)
+set(SPIN_TEST_ENVIRONMENT)
+if(SPIN_SANITIZE)
+  set(SPIN_TEST_PATIENCE 5)
+  set(tools "${PROJECT_SOURCE_DIR}/resources/tools")
+  list(APPEND SPIN_TEST_ENVIRONMENT
+    "ASAN_OPTIONS=strict_string_checks=1:check_initialization_order=1" "UBSAN_OPTIONS=print_stacktrace=1"
+    "LSAN_OPTIONS=suppressions=${tools}/lsan.supp:print_suppressions=0" "TSAN_OPTIONS=suppressions=${tools}/tsan.supp:second_deadlock_stack=1")
+endif()
+
 find_package(Threads REQUIRED)
 
 # spin_add_library(NAME DIRS dir... LINK lib...): a static library of all .cpp files in the folders (not below them).
@@ -55,6 +66,14 @@ function(spin_add_library name)
   target_link_libraries(${name} PUBLIC spin_options ${ARG_LINK})
 endfunction()
 
+# spin_describe_test(NAME LABEL label TIMEOUT s [ENV VAR=value...]): what every test is told, sanitizers considered.
+function(spin_describe_test name)
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "ENV" ${ARGN})
+  math(EXPR timeout "${ARG_TIMEOUT} * ${SPIN_TEST_PATIENCE}")
+  set(environment ${ARG_ENV} ${SPIN_TEST_ENVIRONMENT})
+  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${timeout} ENVIRONMENT "${environment}")
+endfunction()
+
 # spin_add_test(NAME LABEL label SOURCES file... LINK lib... [ENV VAR=value...] [TIMEOUT s]): one GoogleTest program.
 function(spin_add_test name)
   cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;LINK;ENV" ${ARGN})
@@ -64,5 +83,5 @@ function(spin_add_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gtest_main)
   add_test(NAME ${name} COMMAND ${name})
-  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${ARG_ENV}")
+  spin_describe_test(${name} LABEL "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT} ENV ${ARG_ENV})
 endfunction()
