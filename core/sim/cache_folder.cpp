@@ -122,7 +122,7 @@ std::vector<CacheFolder::Entry> CacheFolder::newFiles(Kind kind) {
     const bool fits =
         header->kind == kindName(kind) && header->number == file.frame && header->key == file.key;
     const bool whole = fits && std::all_of(header->shared.begin(), header->shared.end(),
-                                           [this](const Hash128& key) { return sharedIsWhole(key); });
+                                           [this](const Hash128& key) { return sharedIsThere(key); });
     if (whole)
       entries.push_back({file.frame, file.key, file.bytes, header->shared});
     else
@@ -133,6 +133,18 @@ std::vector<CacheFolder::Entry> CacheFolder::newFiles(Kind kind) {
   return entries;
 }
 
+bool CacheFolder::sharedIsThere(const Hash128& key) {
+  {
+    std::lock_guard lock(m_mutex);
+    if (m_there.count(key)) return true;
+  }
+  const Result<CheckedFileHeader> header = readCheckedHeader(sharedPath(key));
+  if (!header || header->key != key) return false;
+  std::lock_guard lock(m_mutex);
+  m_there.insert(key);
+  return true;
+}
+
 bool CacheFolder::sharedIsWhole(const Hash128& key) {
   {
     std::lock_guard lock(m_mutex);
@@ -141,47 +153,57 @@ bool CacheFolder::sharedIsWhole(const Hash128& key) {
   const Result<CheckedFile> file = readCheckedFile(sharedPath(key));
   if (!file || file->header.key != key) return false;
   std::lock_guard lock(m_mutex);
-  m_whole[key] = true;
+  m_there.insert(key);
+  m_whole.insert(key);
   return true;
 }
 
 Status CacheFolder::writeShared(const FramePart& part, const Hash128& key) {
   if (sharedIsWhole(key)) return {};
   ByteWriter out;
-  part.saveShared(out);
+  part.saveShared(key, out);
   const std::string kind = std::string(kSharedPrefix) + part.kind();
   if (Status written = writeCheckedFile(sharedPath(key), {kind, 0, key, {}}, out.bytes()); !written)
     return written;
   std::lock_guard lock(m_mutex);
-  m_whole[key] = true;
+  m_there.insert(key);
+  m_whole.insert(key);
   return {};
 }
 
-Status CacheFolder::ensureShared(const Hash128& key) {
+Result<std::shared_ptr<const void>> CacheFolder::loadedShared(const Hash128& key) {
   {
     std::lock_guard lock(m_mutex);
-    if (m_loaded.count(key)) return {};
+    const auto known = m_loaded.find(key);
+    if (known != m_loaded.end())
+      if (auto inUse = known->second.lock()) return inUse;
   }
   const Result<CheckedFile> file = readCheckedFile(sharedPath(key));
-  if (!file) return file.error();
+  if (!file) {
+    // The next frame that shares it writes it again.
+    std::lock_guard lock(m_mutex);
+    m_there.erase(key);
+    m_whole.erase(key);
+    return file.error();
+  }
   ByteReader in(file->payload.data(), file->payload.size());
   const std::string prefix = kSharedPrefix;
   const std::string& kind = file->header.kind;
   auto loaded = kind.starts_with(prefix) ? loadShared(kind.substr(prefix.size()), in) : nullptr;
   if (!loaded) return badInput("The cache file is damaged", sharedPath(key), "its content cannot be read");
   std::lock_guard lock(m_mutex);
-  m_loaded[key] = std::move(loaded);
-  return {};
+  std::erase_if(m_loaded, [](const auto& entry) { return entry.second.expired(); });
+  m_loaded[key] = loaded;
+  return loaded;
 }
 
 Result<CacheFolder::Entry> CacheFolder::writeFrame(const Frame& frame) {
   Entry entry{frame.info.time.frame, frame.info.key, 0, {}};
-  for (const auto& [name, part] : frame.parts) {
-    const Hash128 key = part->sharedKey();
-    if (key.isNull()) continue;
-    if (Status written = writeShared(*part, key); !written) return written.error();
-    entry.shared.push_back(key);
-  }
+  for (const auto& [name, part] : frame.parts)
+    for (const Hash128& key : part->sharedKeys()) {
+      if (Status written = writeShared(*part, key); !written) return written.error();
+      entry.shared.push_back(key);
+    }
   ByteWriter out;
   saveFrame(frame, out);
   const std::string path = pathOf(Kind::Frame, entry.frame, entry.key);
@@ -196,8 +218,12 @@ Result<FramePointer> CacheFolder::readFrame(int frame, const Hash128& key) {
   const std::string path = pathOf(Kind::Frame, frame, key);
   const Result<CheckedFile> file = readExpected(path, kFrameKind, frame, key);
   if (!file) return file.error();
-  for (const Hash128& shared : file->header.shared)
-    if (Status loaded = ensureShared(shared); !loaded) return loaded.error();
+  std::vector<std::shared_ptr<const void>> held;  // until the frame holds it itself
+  for (const Hash128& shared : file->header.shared) {
+    Result<std::shared_ptr<const void>> loaded = loadedShared(shared);
+    if (!loaded) return loaded.error();
+    held.push_back(std::move(*loaded));
+  }
   ByteReader in(file->payload.data(), file->payload.size());
   const std::shared_ptr<Frame> loaded = loadFrame(in);
   if (!loaded || loaded->info.key != key)
@@ -231,18 +257,18 @@ Status CacheFolder::remove(Kind kind, int frame, const Hash128& key) {
 
 Status CacheFolder::removeSharedBut(const std::vector<Hash128>& used) {
   std::lock_guard lock(m_mutex);
-  for (auto it = m_whole.begin(); it != m_whole.end();) {
-    if (std::find(used.begin(), used.end(), it->first) != used.end()) {
+  for (auto it = m_there.begin(); it != m_there.end();) {
+    if (std::find(used.begin(), used.end(), *it) != used.end()) {
       ++it;
       continue;
     }
     std::error_code error;
-    fs::remove(sharedPath(it->first), error);
+    fs::remove(sharedPath(*it), error);
     if (error)
-      return Error{ErrorKind::Failed, "The cache file could not be deleted", sharedPath(it->first),
-                   error.message(), ""};
-    m_loaded.erase(it->first);
-    it = m_whole.erase(it);
+      return Error{ErrorKind::Failed, "The cache file could not be deleted", sharedPath(*it), error.message(),
+                   ""};
+    m_whole.erase(*it);
+    it = m_there.erase(it);
   }
   return {};
 }
@@ -250,7 +276,7 @@ Status CacheFolder::removeSharedBut(const std::vector<Hash128>& used) {
 std::uint64_t CacheFolder::sharedBytes() const {
   std::uint64_t bytes = 0;
   std::lock_guard lock(m_mutex);
-  for (const auto& [key, whole] : m_whole) {
+  for (const Hash128& key : m_there) {
     std::error_code error;
     const std::uint64_t size = fs::file_size(sharedPath(key), error);
     if (!error) bytes += size;

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,17 +51,21 @@ class CacheFolder {
   std::string pathOf(Kind kind, int frame, const Hash128& key) const;
   std::string sharedPath(const Hash128& key) const;
   Status writeShared(const FramePart& part, const Hash128& key);
-  /// Loads it, or finds it loaded. Held from then on.
-  Status ensureShared(const Hash128& key);
+  /// Loads it, or finds it loaded.
+  Result<std::shared_ptr<const void>> loadedShared(const Hash128& key);
+  /// By its header and length; cheap.
+  bool sharedIsThere(const Hash128& key);
+  /// By all its bytes.
   bool sharedIsWhole(const Hash128& key);
   /// Whether the file was seen with this time of writing; remembers it.
   bool seenBefore(const std::string& name, std::int64_t written);
 
   std::string m_path;
   mutable std::mutex m_mutex;
-  std::map<std::string, std::int64_t> m_seen;               ///< time of writing by file name
-  std::map<Hash128, std::shared_ptr<const void>> m_loaded;  ///< shared data kept alive
-  std::map<Hash128, bool> m_whole;                          ///< shared files that were verified
+  std::map<std::string, std::int64_t> m_seen;             ///< time of writing by file name
+  std::map<Hash128, std::weak_ptr<const void>> m_loaded;  ///< shared data in use
+  std::set<Hash128> m_there;                              ///< shared files of the folder
+  std::set<Hash128> m_whole;                              ///< of these, those that were verified
 };
 
 }  // namespace spin

@@ -21,7 +21,7 @@ static_assert(std::endian::native == std::endian::little, "cache files are littl
 
 // Layout: prefix | header bytes | header checksum | payload. The prefix holds the sizes.
 constexpr std::uint64_t kMagic = 0x3146'5444'4e49'5053ull;  // "SPINDTF1"
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::uint64_t kMaxHeaderBytes = 1 << 20;
 
 struct Prefix {

@@ -56,11 +56,11 @@ struct FramePart {
   virtual void save(ByteWriter& out) const = 0;
   /// Names the first value that is not finite ("swe of grid terrain, cell 7 is nan"); empty if all are.
   virtual std::string firstNonFinite() const { return {}; }
-  /// Content key of the data that this part shares with other frames (a cover layout); null if it shares
-  /// none. save() leaves that data out and writes only its key: the frame store keeps it once.
-  virtual Hash128 sharedKey() const { return {}; }
-  /// Writes the shared data.
-  virtual void saveShared(ByteWriter&) const {}
+  /// Content keys of the data that this part shares with other frames (a cover's layout and exposure).
+  /// save() leaves that data out and writes only its keys: the frame store keeps it once.
+  virtual std::vector<Hash128> sharedKeys() const { return {}; }
+  /// Writes the shared data of one of these keys.
+  virtual void saveShared(const Hash128&, ByteWriter&) const {}
 };
 
 struct ParticlePart final : FramePart {
@@ -90,24 +90,31 @@ struct CoverLayout {
   std::vector<CoverGrid> grids;
 };
 
+/// How open the cells lie to the falling snow, 0 sheltered .. 1 open: per grid of the layout one value per
+/// cell. It changes only with the wind and with what stands in the scene, so frames share it.
+struct CoverExposure {
+  std::vector<std::vector<float>> grids;
+};
+
 /// State of the snow cover: per grid of the layout one value per cell, in the raster's order.
 struct CoverPart final : FramePart {
   static constexpr const char* kKind = "cover";
   struct Values {
-    std::vector<float> swe;       ///< kg/m2
-    std::vector<float> depth;     ///< m, vertical
-    std::vector<float> exposure;  ///< 0 sheltered .. 1 open
+    std::vector<float> swe;    ///< kg/m2
+    std::vector<float> depth;  ///< m, vertical
   };
   std::shared_ptr<const CoverLayout> layout;
+  std::shared_ptr<const CoverExposure> exposure;  ///< null: not known
   std::vector<Values> values;
 
   const char* kind() const override { return kKind; }
-  std::size_t memoryBytes() const override;  ///< without the shared layout
+  /// With the exposure, which may be another one in every frame, and without the shared layout.
+  std::size_t memoryBytes() const override;
   void save(ByteWriter& out) const override;
   std::string firstNonFinite() const override;  ///< cells without a surface do not count
-  Hash128 sharedKey() const override;           ///< of the layout
-  void saveShared(ByteWriter& out) const override;
-  /// Finds the layout by its key among those in use; null if it is not there.
+  std::vector<Hash128> sharedKeys() const override;
+  void saveShared(const Hash128& key, ByteWriter& out) const override;
+  /// Finds layout and exposure by their keys among those in use; null if they are not there.
   static std::shared_ptr<FramePart> load(ByteReader& in);
 };
 
@@ -133,11 +140,12 @@ using SharedDataLoader = std::shared_ptr<const void> (*)(ByteReader&);
 /// Known kinds: particles, cover; a later process registers its own at start-up.
 void registerFramePart(const char* kind, FramePartLoader loader, SharedDataLoader sharedLoader = nullptr);
 
-/// Makes a layout findable by its content for as long as somebody holds it; returns the one that is in use
-/// already if there is an equal one.
+/// Makes data findable by its content for as long as somebody holds it; returns what is in use already if
+/// there is an equal one.
 std::shared_ptr<const CoverLayout> internLayout(std::shared_ptr<const CoverLayout> layout);
+std::shared_ptr<const CoverExposure> internExposure(std::shared_ptr<const CoverExposure> exposure);
 /// The shared data loader of covers.
-std::shared_ptr<const void> loadCoverLayout(ByteReader& in);
+std::shared_ptr<const void> loadCoverShared(ByteReader& in);
 
 /// Binary form of a frame without its shared data; `withTimings` false gives equal bytes for equal results.
 void saveFrame(const Frame& frame, ByteWriter& out, bool withTimings = true);

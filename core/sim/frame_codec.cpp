@@ -16,7 +16,7 @@ struct Loaders {
 struct PartRegistry {
   std::mutex mutex;
   std::map<std::string, Loaders> kinds{{ParticlePart::kKind, {&ParticlePart::load, nullptr}},
-                                       {CoverPart::kKind, {&CoverPart::load, &loadCoverLayout}}};
+                                       {CoverPart::kKind, {&CoverPart::load, &loadCoverShared}}};
 };
 
 PartRegistry& partRegistry() {
@@ -124,8 +124,7 @@ std::shared_ptr<Frame> loadFrame(ByteReader& in) {
 std::vector<SharedReference> sharedReferences(const Frame& frame) {
   std::vector<SharedReference> references;
   for (const auto& [name, part] : frame.parts) {
-    const Hash128 key = part->sharedKey();
-    if (!key.isNull()) references.push_back({part->kind(), key});
+    for (const Hash128& key : part->sharedKeys()) references.push_back({part->kind(), key});
   }
   return references;
 }

@@ -20,20 +20,54 @@ std::size_t firstBad(const Range& values) {
   return static_cast<std::size_t>(bad - values.begin());
 }
 
-/// Layouts in use by content, and the keys of layouts by address so that each is hashed once.
-struct LayoutRegistry {
-  std::mutex mutex;
-  std::map<Hash128, std::weak_ptr<const CoverLayout>> byKey;
-  std::map<const CoverLayout*, std::pair<std::weak_ptr<const CoverLayout>, Hash128>> keys;
+/// What follows in shared data.
+enum class SharedKind : std::uint8_t { Layout = 0, Exposure = 1 };
 
-  void forgetDead() {
-    std::erase_if(byKey, [](const auto& entry) { return entry.second.expired(); });
-    std::erase_if(keys, [](const auto& entry) { return entry.second.first.expired(); });
+void putShared(const CoverLayout& layout, ByteWriter& out);
+void putShared(const CoverExposure& exposure, ByteWriter& out);
+
+/// Shared data in use by content, and keys by address so that each is hashed once.
+template <class T>
+class SharedRegistry {
+ public:
+  Hash128 keyOf(const std::shared_ptr<const T>& data) {
+    {
+      std::lock_guard lock(m_mutex);
+      const auto known = m_keys.find(data.get());
+      if (known != m_keys.end() && known->second.first.lock() == data) return known->second.second;
+    }
+    ByteWriter out;
+    putShared(*data, out);
+    const Hash128 key = Hasher().addBytes(out.bytes().data(), out.bytes().size()).digest();
+    std::lock_guard lock(m_mutex);
+    std::erase_if(m_byKey, [](const auto& entry) { return entry.second.expired(); });
+    std::erase_if(m_keys, [](const auto& entry) { return entry.second.first.expired(); });
+    m_keys[data.get()] = {data, key};
+    return key;
   }
+  std::shared_ptr<const T> intern(std::shared_ptr<const T> data) {
+    const Hash128 key = keyOf(data);
+    std::lock_guard lock(m_mutex);
+    auto& entry = m_byKey[key];
+    if (auto inUse = entry.lock()) return inUse;
+    entry = data;
+    return data;
+  }
+  std::shared_ptr<const T> find(const Hash128& key) {
+    std::lock_guard lock(m_mutex);
+    const auto entry = m_byKey.find(key);
+    return entry == m_byKey.end() ? nullptr : entry->second.lock();
+  }
+
+ private:
+  std::mutex m_mutex;
+  std::map<Hash128, std::weak_ptr<const T>> m_byKey;
+  std::map<const T*, std::pair<std::weak_ptr<const T>, Hash128>> m_keys;
 };
 
-LayoutRegistry& layoutRegistry() {
-  static LayoutRegistry registry;
+template <class T>
+SharedRegistry<T>& registryOf() {
+  static SharedRegistry<T> registry;
   return registry;
 }
 
@@ -58,7 +92,8 @@ bool getRaster(ByteReader& in, Raster<float>& raster) {
          static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
 }
 
-void saveLayout(const CoverLayout& layout, ByteWriter& out) {
+void putShared(const CoverLayout& layout, ByteWriter& out) {
+  out.put(SharedKind::Layout);
   out.put(static_cast<std::uint64_t>(layout.grids.size()));
   for (const CoverGrid& grid : layout.grids) {
     out.put(grid.id);
@@ -68,35 +103,13 @@ void saveLayout(const CoverLayout& layout, ByteWriter& out) {
   }
 }
 
-Hash128 keyOf(const std::shared_ptr<const CoverLayout>& layout) {
-  LayoutRegistry& registry = layoutRegistry();
-  {
-    std::lock_guard lock(registry.mutex);
-    const auto known = registry.keys.find(layout.get());
-    if (known != registry.keys.end() && known->second.first.lock() == layout) return known->second.second;
-  }
-  ByteWriter out;
-  saveLayout(*layout, out);
-  const Hash128 key = Hasher().addBytes(out.bytes().data(), out.bytes().size()).digest();
-  std::lock_guard lock(registry.mutex);
-  registry.forgetDead();
-  registry.keys[layout.get()] = {layout, key};
-  return key;
+void putShared(const CoverExposure& exposure, ByteWriter& out) {
+  out.put(SharedKind::Exposure);
+  out.put(static_cast<std::uint64_t>(exposure.grids.size()));
+  for (const std::vector<float>& grid : exposure.grids) out.putArray(grid);
 }
 
-}  // namespace
-
-std::shared_ptr<const CoverLayout> internLayout(std::shared_ptr<const CoverLayout> layout) {
-  const Hash128 key = keyOf(layout);
-  LayoutRegistry& registry = layoutRegistry();
-  std::lock_guard lock(registry.mutex);
-  auto& entry = registry.byKey[key];
-  if (auto inUse = entry.lock()) return inUse;
-  entry = layout;
-  return layout;
-}
-
-std::shared_ptr<const void> loadCoverLayout(ByteReader& in) {
+std::shared_ptr<const void> loadLayout(ByteReader& in) {
   auto layout = std::make_shared<CoverLayout>();
   const auto count = in.get<std::uint64_t>();
   for (std::uint64_t g = 0; g < count && in.ok(); ++g) {
@@ -109,6 +122,41 @@ std::shared_ptr<const void> loadCoverLayout(ByteReader& in) {
   }
   if (!in.ok() || !in.atEnd()) return nullptr;
   return internLayout(std::move(layout));
+}
+
+std::shared_ptr<const void> loadExposure(ByteReader& in) {
+  auto exposure = std::make_shared<CoverExposure>();
+  const auto count = in.get<std::uint64_t>();
+  for (std::uint64_t g = 0; g < count && in.ok(); ++g) exposure->grids.push_back(in.getArray<float>());
+  if (!in.ok() || !in.atEnd()) return nullptr;
+  return internExposure(std::move(exposure));
+}
+
+bool fits(const CoverExposure& exposure, const CoverLayout& layout) {
+  bool same = exposure.grids.size() == layout.grids.size();
+  for (std::size_t g = 0; same && g < layout.grids.size(); ++g)
+    same = exposure.grids[g].size() == layout.grids[g].base.size();
+  return same;
+}
+
+}  // namespace
+
+std::shared_ptr<const CoverLayout> internLayout(std::shared_ptr<const CoverLayout> layout) {
+  return registryOf<CoverLayout>().intern(std::move(layout));
+}
+
+std::shared_ptr<const CoverExposure> internExposure(std::shared_ptr<const CoverExposure> exposure) {
+  return registryOf<CoverExposure>().intern(std::move(exposure));
+}
+
+std::shared_ptr<const void> loadCoverShared(ByteReader& in) {
+  switch (in.get<SharedKind>()) {
+    case SharedKind::Layout:
+      return loadLayout(in);
+    case SharedKind::Exposure:
+      return loadExposure(in);
+  }
+  return nullptr;
 }
 
 std::size_t ParticlePart::memoryBytes() const {
@@ -174,36 +222,36 @@ std::string ParticlePart::firstNonFinite() const {
 
 std::size_t CoverPart::memoryBytes() const {
   std::size_t bytes = 0;
-  for (const Values& grid : values)
-    bytes += (grid.swe.size() + grid.depth.size() + grid.exposure.size()) * sizeof(float);
+  for (const Values& grid : values) bytes += (grid.swe.size() + grid.depth.size()) * sizeof(float);
+  if (exposure)
+    for (const std::vector<float>& grid : exposure->grids) bytes += grid.size() * sizeof(float);
   return bytes;
 }
 
 void CoverPart::save(ByteWriter& out) const {
-  out.put(sharedKey());
+  SPIN_CHECK(layout, "a cover part needs its layout");
+  out.put(registryOf<CoverLayout>().keyOf(layout));
+  out.put(exposure ? registryOf<CoverExposure>().keyOf(exposure) : Hash128{});
   out.put(static_cast<std::uint64_t>(values.size()));
   for (const Values& grid : values) {
     out.putArray(grid.swe);
     out.putArray(grid.depth);
-    out.putArray(grid.exposure);
   }
 }
 
 std::shared_ptr<FramePart> CoverPart::load(ByteReader& in) {
-  const auto key = in.get<Hash128>();
   auto part = std::make_shared<CoverPart>();
-  {
-    LayoutRegistry& registry = layoutRegistry();
-    std::lock_guard lock(registry.mutex);
-    const auto entry = registry.byKey.find(key);
-    if (entry != registry.byKey.end()) part->layout = entry->second.lock();
-  }
-  if (!part->layout || in.get<std::uint64_t>() != part->layout->grids.size()) return nullptr;
+  part->layout = registryOf<CoverLayout>().find(in.get<Hash128>());
+  const auto exposureKey = in.get<Hash128>();
+  part->exposure = registryOf<CoverExposure>().find(exposureKey);
+  if (!part->layout || (!part->exposure && !exposureKey.isNull())) return nullptr;
+  if ((part->exposure && !fits(*part->exposure, *part->layout)) ||
+      in.get<std::uint64_t>() != part->layout->grids.size())
+    return nullptr;
   for (const CoverGrid& grid : part->layout->grids) {
-    Values values{in.getArray<float>(), in.getArray<float>(), in.getArray<float>()};
+    Values values{in.getArray<float>(), in.getArray<float>()};
     const std::size_t cells = grid.base.size();
-    if (values.swe.size() != cells || values.depth.size() != cells || values.exposure.size() != cells)
-      return nullptr;
+    if (values.swe.size() != cells || values.depth.size() != cells) return nullptr;
     part->values.push_back(std::move(values));
   }
   return in.ok() ? part : nullptr;
@@ -212,8 +260,11 @@ std::shared_ptr<FramePart> CoverPart::load(ByteReader& in) {
 std::string CoverPart::firstNonFinite() const {
   for (std::size_t g = 0; g < values.size(); ++g) {
     const CoverGrid& grid = layout->grids[g];
+    static const std::vector<float> kNone;
     const std::pair<const char*, const std::vector<float>*> fields[] = {
-        {"swe", &values[g].swe}, {"depth", &values[g].depth}, {"exposure", &values[g].exposure}};
+        {"swe", &values[g].swe},
+        {"depth", &values[g].depth},
+        {"exposure", exposure ? &exposure->grids[g] : &kNone}};
     for (const auto& [name, field] : fields)
       for (std::size_t cell = 0; cell < field->size(); ++cell)
         if (!std::isfinite((*field)[cell]) && !std::isnan(grid.base.values[cell]))
@@ -223,13 +274,18 @@ std::string CoverPart::firstNonFinite() const {
   return {};
 }
 
-Hash128 CoverPart::sharedKey() const {
+std::vector<Hash128> CoverPart::sharedKeys() const {
   SPIN_CHECK(layout, "a cover part needs its layout");
-  return keyOf(layout);
+  std::vector<Hash128> keys{registryOf<CoverLayout>().keyOf(layout)};
+  if (exposure) keys.push_back(registryOf<CoverExposure>().keyOf(exposure));
+  return keys;
 }
 
-void CoverPart::saveShared(ByteWriter& out) const {
-  saveLayout(*layout, out);
+void CoverPart::saveShared(const Hash128& key, ByteWriter& out) const {
+  if (key == registryOf<CoverLayout>().keyOf(layout))
+    putShared(*layout, out);
+  else
+    putShared(*exposure, out);
 }
 
 }  // namespace spin

@@ -25,12 +25,20 @@ struct FrameSlot {
   std::vector<Hash128> shared;
 };
 
+bool isWriting(const FrameSlot& slot) {
+  return slot.writing;
+}
+
 struct CheckpointSlot {
   Hash128 key;
   std::uint64_t diskBytes = 0;
   std::uint64_t made = 0;
   std::shared_ptr<const std::vector<char>> memory;
 };
+
+bool isWriting(const CheckpointSlot&) {
+  return false;
+}
 
 template <class Slot>
 Slot* findSlot(std::map<int, std::vector<Slot>>& slots, int frame, const Hash128& key) {
@@ -246,10 +254,13 @@ Status FrameStore::put(FramePointer frame) {
   State& s = *m_state;
   const int number = frame->info.time.frame;
   const Hash128 key = frame->info.key;
+  std::vector<Hash128> shared;
+  for (const SharedReference& reference : sharedReferences(*frame)) shared.push_back(reference.key);
   {
     std::lock_guard lock(s.mutex);
     FrameSlot& slot = slotFor(s.frames, number, key);
     slot.writing = s.folder.active();
+    slot.shared = std::move(shared);
     s.keepInMemory(slot, frame);
     s.dropReplaced(number, key);
     s.evict();
@@ -261,7 +272,6 @@ Status FrameStore::put(FramePointer frame) {
   slot.writing = false;
   if (!written) return written.error();
   slot.diskBytes = written->bytes;
-  slot.shared = written->shared;
   s.evict();
   return {};
 }
@@ -357,7 +367,7 @@ Status FrameStore::purgeStale() {
   const auto purge = [&](auto& slots, CacheFolder::Kind kind, const auto& forget) {
     for (auto& [frame, versions] : slots)
       std::erase_if(versions, [&](auto& slot) {
-        if (s.valid(frame, slot.key)) return false;
+        if (s.valid(frame, slot.key) || isWriting(slot)) return false;
         if (slot.diskBytes > 0)
           if (Status removed = s.folder.remove(kind, frame, slot.key); !removed)
             return status = removed, false;

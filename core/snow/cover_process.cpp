@@ -71,6 +71,7 @@ class CoverProcess final : public Process {
   void publish(const SceneSnapshot&, const FrameTime&, Frame& frame) const override {
     auto part = std::make_shared<CoverPart>();
     part->layout = m_ground->layout;
+    part->exposure = m_exposure;
     part->values.resize(m_grids.size());
     double deposited = 0.0, deepest = 0.0;
     for (std::size_t g = 0; g < m_grids.size(); ++g) {
@@ -79,7 +80,6 @@ class CoverProcess final : public Process {
       CoverPart::Values& values = part->values[g];
       values.swe.assign(state.swe.begin(), state.swe.end());
       values.depth.assign(state.depth.begin(), state.depth.end());
-      values.exposure = m_field->grids[g].exposure;
       for (std::size_t c = 0; c < area.size(); ++c) {
         deposited += state.swe[c] * static_cast<double>(area[c]);
         deepest = std::max(deepest, state.depth[c]);
@@ -126,7 +126,12 @@ class CoverProcess final : public Process {
  private:
   void takeInputs(ProcessContext& context) {
     if (const auto* ground = context.exchange.find<SnowGroundPointer>()) m_ground = *ground;
-    if (const auto* field = context.exchange.find<ExposureFieldPointer>()) m_field = *field;
+    const auto* field = context.exchange.find<ExposureFieldPointer>();
+    if (!field || *field == m_field) return;
+    m_field = *field;
+    auto exposure = std::make_shared<CoverExposure>();
+    for (const ExposureField::Values& grid : m_field->grids) exposure->grids.push_back(grid.exposure);
+    m_exposure = std::move(exposure);
   }
 
   /// The precipitation rate is that at the ground: the air above holds what falls at that rate, and a change
@@ -154,7 +159,8 @@ class CoverProcess final : public Process {
 
   SnowGroundPointer m_ground;
   ExposureFieldPointer m_field;
-  std::vector<CoverState> m_grids;  ///< by the layout's grids
+  std::shared_ptr<const CoverExposure> m_exposure;  ///< of the field; frames share it
+  std::vector<CoverState> m_grids;                  ///< by the layout's grids
   Account m_account;
 };
 

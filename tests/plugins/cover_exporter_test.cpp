@@ -50,7 +50,6 @@ CoverScene makeCover() {
       const float swe = 10.0f * static_cast<float>(g + 1) + static_cast<float>(c);
       values.swe.push_back(swe);
       values.depth.push_back(swe / 80.0f);
-      values.exposure.push_back(1.0f);
       if (g < 2 && !std::isnan(layout->grids[g].base.values[c]))
         out.mass += static_cast<double>(swe) * static_cast<double>(layout->grids[g].area.values[c]);
     }

@@ -32,16 +32,24 @@ FramePointer makeFrame(std::uint64_t scene, int number, std::size_t particles = 
   return frame;
 }
 
-FramePointer withCover(const FramePointer& frame, float base) {
+FramePointer withCover(const FramePointer& frame, float base, float exposure = 1.0f) {
   auto copy = std::make_shared<Frame>(*frame);
   auto layout = std::make_shared<CoverLayout>();
   layout->grids.push_back(
       {"t", "t", Raster<float>(30, 40, 0, 0, 1, base), Raster<float>(30, 40, 0, 0, 1, 1.0f)});
   auto cover = std::make_shared<CoverPart>();
   cover->layout = layout;
-  cover->values = {{std::vector<float>(1200, 1), std::vector<float>(1200, 2), std::vector<float>(1200, 3)}};
+  cover->exposure = std::make_shared<CoverExposure>(CoverExposure{{std::vector<float>(1200, exposure)}});
+  cover->values = {{std::vector<float>(1200, 1), std::vector<float>(1200, 2)}};
   copy->parts["cover"] = cover;
   return copy;
+}
+
+std::shared_ptr<const CoverExposure> exposureOf(FrameStore& store, int number) {
+  const FramePointer frame = store.get(number);
+  const auto* cover = frame ? frame->part<CoverPart>("cover") : nullptr;
+  SPIN_CHECK(cover && cover->exposure, "the frame has no exposure");
+  return cover->exposure;
 }
 
 std::vector<std::string> filesIn(const std::string& folder) {
@@ -185,10 +193,51 @@ TEST(FrameStore, LayoutsAreWrittenOnceAndSharedAfterLoading) {
     store.setKeys(keysOf(1, 3));
     for (int frame = 0; frame < 3; ++frame) ASSERT_TRUE(store.put(withCover(makeFrame(1, frame), 3.0f)));
   }
-  EXPECT_EQ(filesIn(folder.path("cache/shared")).size(), 1u);
+  EXPECT_EQ(filesIn(folder.path("cache/shared")).size(), 2u) << "a layout and an exposure";
   FrameStore store({folder.path("cache")});
   store.setKeys(keysOf(1, 3));
   EXPECT_EQ(test::layoutOf(*store.get(0)), test::layoutOf(*store.get(2)));
+  EXPECT_EQ(exposureOf(store, 0), exposureOf(store, 2));
+}
+
+TEST(FrameStore, ExposuresThatChangeAreKeptApartAndLeaveRamWithTheirFrames) {
+  const test::TemporaryFolder folder;
+  {
+    FrameStore store({folder.path("cache")});
+    store.setKeys(keysOf(1, 3));
+    for (int frame = 0; frame < 3; ++frame)
+      ASSERT_TRUE(store.put(withCover(makeFrame(1, frame), 3.0f, 0.1f * static_cast<float>(frame))));
+  }
+  FrameStore store({folder.path("cache"), 1});
+  store.setKeys(keysOf(1, 3));
+  std::weak_ptr<const CoverExposure> before;
+  for (int frame = 0; frame < 3; ++frame) {
+    const auto exposure = exposureOf(store, frame);
+    EXPECT_EQ(exposure->grids[0][7], 0.1f * static_cast<float>(frame));
+    EXPECT_TRUE(before.expired()) << "the budget is one frame";
+    before = exposure;
+  }
+}
+
+TEST(FrameStore, DamageInSharedDataIsFoundWhenItIsReadAndMended) {
+  const test::TemporaryFolder folder;
+  {
+    FrameStore store({folder.path("cache")});
+    ASSERT_TRUE(store.put(withCover(makeFrame(1, 0), 3.0f)));
+  }
+  const std::string shared = filesIn(folder.path("cache/shared"))[0];
+  std::string flipped = bytesOf(shared);
+  flipped.back() ^= 1;
+  overwrite(shared, flipped);
+  test::LogCatcher log;
+  FrameStore store({folder.path("cache")});
+  store.setKeys(keysOf(1, 1));
+  EXPECT_FALSE(store.get(0));
+  EXPECT_EQ(store.state(0), FrameState::Missing);
+  ASSERT_TRUE(store.put(withCover(makeFrame(1, 0), 3.0f)));
+  FrameStore again({folder.path("cache")});
+  again.setKeys(keysOf(1, 1));
+  EXPECT_TRUE(again.get(0));
 }
 
 TEST(FrameStore, DamagedFilesCountAsMissingAndAreNamed) {
@@ -279,7 +328,8 @@ TEST(FrameStore, OnlyPurgeDeletesAndOnlyWhatIsStale) {
   ASSERT_TRUE(store.purgeStale());
   EXPECT_EQ(filesIn(folder.path("cache/frames")).size(), 2u);
   EXPECT_EQ(filesIn(folder.path("cache/checkpoints")).size(), 1u);
-  EXPECT_EQ(filesIn(folder.path("cache/shared")).size(), 1u) << "the layout nobody needs any more";
+  EXPECT_EQ(filesIn(folder.path("cache/shared")).size(), 2u)
+      << "a layout and an exposure; the layout nobody needs any more is gone";
   EXPECT_EQ(store.usage().staleDiskBytes, 0u);
   EXPECT_LT(store.usage().diskBytes, before);
   EXPECT_TRUE(store.get(0) && store.get(1));

@@ -60,7 +60,8 @@ std::shared_ptr<CoverPart> smallCover() {
       {"terrain", "terrain", Raster<float>(2, 2, 0, 0, 5, 1.0f), Raster<float>(2, 2, 0, 0, 5, 25.0f)});
   auto part = std::make_shared<CoverPart>();
   part->layout = internLayout(layout);
-  part->values = {{{1, 2, 3, 4}, {.1f, .2f, .3f, .4f}, {1, 1, 1, 1}}};
+  part->exposure = internExposure(std::make_shared<CoverExposure>(CoverExposure{{{1, 0.5f, 0.25f, 1}}}));
+  part->values = {{{1, 2, 3, 4}, {.1f, .2f, .3f, .4f}}};
   return part;
 }
 
@@ -118,13 +119,28 @@ TEST(Frame, CoverWithoutItsLayoutIsNoFrame) {
   EXPECT_FALSE(loadFrame(in));
 }
 
-TEST(Frame, EqualLayoutsAreOneInMemory) {
+TEST(Frame, EqualLayoutsAndExposuresAreOneInMemory) {
   const auto first = smallCover(), second = smallCover();
   EXPECT_EQ(first->layout, second->layout);
+  EXPECT_EQ(first->exposure, second->exposure);
+  const std::vector<Hash128> keys = first->sharedKeys();
+  ASSERT_EQ(keys.size(), 2u);
+  const std::shared_ptr<const void> expected[] = {first->layout, first->exposure};
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    ByteWriter out;
+    first->saveShared(keys[k], out);
+    ByteReader in(out.bytes().data(), out.bytes().size());
+    EXPECT_EQ(loadShared(CoverPart::kKind, in), expected[k]);
+  }
+}
+
+TEST(Frame, ExposureOfAnotherShapeIsNoFrame) {
+  auto cover = smallCover();
+  cover->exposure = internExposure(std::make_shared<CoverExposure>(CoverExposure{{{1, 1, 1}}}));
   ByteWriter out;
-  first->saveShared(out);
+  cover->save(out);
   ByteReader in(out.bytes().data(), out.bytes().size());
-  EXPECT_EQ(loadShared(CoverPart::kKind, in), first->layout);
+  EXPECT_FALSE(CoverPart::load(in));
 }
 
 TEST(FramePart, NonFiniteValuesAreNamed) {
@@ -132,6 +148,9 @@ TEST(FramePart, NonFiniteValuesAreNamed) {
   EXPECT_EQ(cover->firstNonFinite(), "");
   cover->values[0].depth[2] = std::nanf("");
   EXPECT_EQ(cover->firstNonFinite(), "depth of grid terrain, cell 2 is nan");
+  cover->values[0].depth[2] = 1.0f;
+  cover->exposure = std::make_shared<CoverExposure>(CoverExposure{{{1, NAN, 1, 1}}});
+  EXPECT_EQ(cover->firstNonFinite(), "exposure of grid terrain, cell 1 is nan");
   ParticlePart flakes;
   flakes.particles.positions = {{0, 0, 0}, {0, INFINITY, 0}};
   EXPECT_EQ(flakes.firstNonFinite(), "position of particle 1 is (0, inf, 0)");
@@ -145,7 +164,8 @@ TEST(FramePart, ValuesOfCellsWithoutSurfaceMayBeAnything) {
   layout->grids.push_back({"t", "t", Raster<float>(1, 1, 0, 0, 1, NAN), Raster<float>(1, 1, 0, 0, 1, 0.0f)});
   CoverPart cover;
   cover.layout = layout;
-  cover.values = {{{NAN}, {NAN}, {NAN}}};
+  cover.exposure = std::make_shared<CoverExposure>(CoverExposure{{{NAN}}});
+  cover.values = {{{NAN}, {NAN}}};
   EXPECT_EQ(cover.firstNonFinite(), "");
 }
 

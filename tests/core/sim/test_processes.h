@@ -127,7 +127,7 @@ class GrowProcess final : public Process {
   void publish(const SceneSnapshot&, const FrameTime&, Frame& frame) const override {
     auto part = std::make_shared<CoverPart>();
     part->layout = m_layout;
-    part->values = {{m_swe, m_swe, std::vector<float>(6, 1.0f)}};
+    part->values = {{m_swe, m_swe}};
     frame.parts["cover"] = std::move(part);
   }
   void saveState(ByteWriter& out) const override { out.putArray(m_swe); }

@@ -31,7 +31,7 @@ TEST(Cover, LevelGroundGetsTheRateTimesTheTime) {
   for (std::size_t c = 0; c < cover.values[0].swe.size(); ++c) {
     EXPECT_NEAR(cover.values[0].swe[c], expected, 1e-6);
     EXPECT_NEAR(cover.values[0].depth[c], expected / 100.0, 1e-8);
-    EXPECT_EQ(cover.values[0].exposure[c], 1.0f);
+    EXPECT_EQ(cover.exposure->grids[0][c], 1.0f);
   }
   // All of 22 x 16 m lies there; the air holds the rest of what came in.
   EXPECT_NEAR(frame.info.budget.get("deposited"), expected * 22 * 16, 1e-3);
