@@ -107,7 +107,7 @@ Prepared prepare(const BenchOptions& options, double wind) {
   Prepared prepared;
   prepared.snapshot = snowBenchSnapshot(build);
   prepared.ground = makeSnowGround(prepared.snapshot);
-  prepared.scene = makeSnowScene(prepared.snapshot, *prepared.ground, 0.0, options.makeRayScene);
+  prepared.scene = *makeSnowScene(prepared.snapshot, *prepared.ground, 0.0, options.makeRayScene);
   prepared.settings = exposureSettings(prepared.snapshot, 0.0);
   return prepared;
 }

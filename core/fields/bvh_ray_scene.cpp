@@ -70,6 +70,7 @@ class BvhRayScene final : public RayScene {
   std::uint32_t addTriangles(const std::vector<Vec3f>& positions,
                              const std::vector<std::uint32_t>& indices) override {
     SPIN_CHECK(indices.size() % 3 == 0, "indices come in threes");
+    m_pending.reserve(m_pending.size() + indices.size() / 3);
     for (std::size_t t = 0; t < indices.size() / 3; ++t)
       m_pending.push_back(
           {{positions[indices[3 * t]], positions[indices[3 * t + 1]], positions[indices[3 * t + 2]]},
@@ -77,9 +78,10 @@ class BvhRayScene final : public RayScene {
            static_cast<std::uint32_t>(t)});
     return m_geometries++;
   }
-  void commit() override {
-    m_bvh.build(std::move(m_pending));
+  bool commit(const CancelToken& cancel) override {
+    const bool whole = m_bvh.build(std::move(m_pending), cancel);
     m_pending.clear();
+    return whole;
   }
   bool occluded(const Ray& ray) const override {
     bool hit = false;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/cancel.h"
 #include "core/math/vec.h"
 
 namespace spin {
@@ -36,7 +37,8 @@ class RayScene {
   /// up.
   virtual std::uint32_t addTriangles(const std::vector<Vec3f>& positions,
                                      const std::vector<std::uint32_t>& indices) = 0;
-  virtual void commit() = 0;
+  /// False when cancelled before it was done; then only destruction is allowed.
+  virtual bool commit(const CancelToken& cancel = {}) = 0;
   virtual bool occluded(const Ray& ray) const = 0;
   /// occluded() of many rays; faster where neighbours in the list are alike. blocked[i] becomes 0 or 1.
   virtual void occludedMany(const Ray* rays, std::size_t count, std::uint8_t* blocked) const {

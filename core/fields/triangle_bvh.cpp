@@ -82,11 +82,11 @@ void tryAxis(const std::vector<Item>& items, std::size_t begin, std::size_t end,
 
 }  // namespace
 
-void TriangleBvh::build(std::vector<BvhTriangle> triangles) {
+bool TriangleBvh::build(std::vector<BvhTriangle> triangles, const CancelToken& cancel) {
   SPIN_CHECK(triangles.size() < (std::size_t{1} << 31), "too many triangles for one scene");
   m_nodes.clear();
   m_triangles.clear();
-  if (triangles.empty()) return;
+  if (triangles.empty()) return true;
   std::vector<Item> items(triangles.size());
   for (std::size_t i = 0; i < items.size(); ++i) {
     for (const Vec3f& corner : triangles[i].corners) items[i].box.extend(corner);
@@ -95,12 +95,18 @@ void TriangleBvh::build(std::vector<BvhTriangle> triangles) {
   }
   m_nodes.reserve(triangles.size());
   m_nodes.emplace_back();
-  split(0, items, 0, items.size());
+  if (!split(0, items, 0, items.size(), cancel)) {
+    m_nodes.clear();
+    return false;
+  }
   m_triangles.reserve(triangles.size());
   for (const Item& item : items) m_triangles.push_back(triangles[item.index]);
+  return true;
 }
 
-void TriangleBvh::split(std::uint32_t node, std::vector<Item>& items, std::size_t begin, std::size_t end) {
+bool TriangleBvh::split(std::uint32_t node, std::vector<Item>& items, std::size_t begin, std::size_t end,
+                        const CancelToken& cancel) {
+  if (cancel.cancelled()) return false;
   Box box, centres;
   for (std::size_t i = begin; i < end; ++i) box.extend(items[i].box), centres.extend(items[i].centre);
   m_nodes[node].low = box.low;
@@ -109,7 +115,7 @@ void TriangleBvh::split(std::uint32_t node, std::vector<Item>& items, std::size_
   if (count <= kLeafSize) {
     m_nodes[node].first = static_cast<std::uint32_t>(begin);
     m_nodes[node].count = static_cast<std::uint32_t>(count);
-    return;
+    return true;
   }
   Cut cut;
   for (int axis = 0; axis < 3; ++axis) tryAxis(items, begin, end, centres, axis, cut);
@@ -126,8 +132,7 @@ void TriangleBvh::split(std::uint32_t node, std::vector<Item>& items, std::size_
   const auto children = static_cast<std::uint32_t>(m_nodes.size());
   m_nodes.resize(m_nodes.size() + 2);
   m_nodes[node].first = children;
-  split(children, items, begin, middle);
-  split(children + 1, items, middle, end);
+  return split(children, items, begin, middle, cancel) && split(children + 1, items, middle, end, cancel);
 }
 
 }  // namespace spin

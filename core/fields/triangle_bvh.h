@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/cancel.h"
 #include "core/math/vec.h"
 
 namespace spin {
@@ -28,14 +29,15 @@ struct BvhNode {
 /// Bounding-volume hierarchy over triangles, split by the binned surface-area heuristic (Wald 2007).
 class TriangleBvh {
  public:
-  /// Reorders the triangles to lie leaf by leaf.
-  void build(std::vector<BvhTriangle> triangles);
+  /// Reorders the triangles to lie leaf by leaf. False, and an empty tree, when cancelled.
+  bool build(std::vector<BvhTriangle> triangles, const CancelToken& cancel = {});
   const std::vector<BvhNode>& nodes() const { return m_nodes; }
   const std::vector<BvhTriangle>& triangles() const { return m_triangles; }
 
  private:
   struct Item;
-  void split(std::uint32_t node, std::vector<Item>& items, std::size_t begin, std::size_t end);
+  bool split(std::uint32_t node, std::vector<Item>& items, std::size_t begin, std::size_t end,
+             const CancelToken& cancel);
 
   std::vector<BvhNode> m_nodes;
   std::vector<BvhTriangle> m_triangles;

@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kPacket = 16;
 
 void onError(void*, RTCError code, const char* text) {
+  if (code == RTC_ERROR_CANCELLED) return;
   log(LogLevel::Error,
       "Embree reports error " + std::to_string(static_cast<int>(code)) + ": " + (text ? text : "no text"));
 }
@@ -69,7 +70,15 @@ class EmbreeRayScene final : public RayScene {
     rtcReleaseGeometry(geometry);
     return id;
   }
-  void commit() override { rtcCommitScene(m_scene); }
+  bool commit(const CancelToken& cancel) override {
+    const auto goOn = [](void* token, double) {
+      return !static_cast<const CancelToken*>(token)->cancelled();
+    };
+    rtcSetSceneProgressMonitorFunction(m_scene, goOn, const_cast<CancelToken*>(&cancel));
+    rtcCommitScene(m_scene);
+    rtcSetSceneProgressMonitorFunction(m_scene, nullptr, nullptr);
+    return !cancel.cancelled();
+  }
 
   bool occluded(const Ray& ray) const override {
     RTCIntersectContext context;

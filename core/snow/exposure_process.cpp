@@ -89,11 +89,12 @@ class ExposureProcess final : public Process {
     const ExposureSettings settings = exposureSettings(scene, filmTime);
     const Hash128 key = keyOf(settings, scene, filmTime);
     if (m_field && key == m_key) return {};
-    const SnowScene standing = [&] {
+    const std::optional<SnowScene> standing = [&] {
       ScopedStage stage(context.backend.timings(), "ray scene");
-      return makeSnowScene(scene, *m_ground, filmTime, context.makeRayScene);
+      return makeSnowScene(scene, *m_ground, filmTime, context.makeRayScene, context.cancel);
     }();
-    auto field = makeExposureField(scene, *m_ground, standing, settings,
+    if (!standing) return cancelledError();
+    auto field = makeExposureField(scene, *m_ground, *standing, settings,
                                    {context.backend, context.cancel, context.progress});
     if (!field) return field.error();
     m_field = std::make_shared<const ExposureField>(std::move(field.value()));

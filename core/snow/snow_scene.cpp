@@ -15,8 +15,8 @@ struct TriangleSoup {
   std::vector<std::uint32_t> indices;
 };
 
-/// Points of the raster that some quad uses, numbered, and two triangles a quad.
-TriangleSoup terrainTriangles(const TerrainSurface& surface, Vec3d centre) {
+/// Points of the raster that some quad uses, numbered, and two triangles a quad. Unfinished when cancelled.
+TriangleSoup terrainTriangles(const TerrainSurface& surface, Vec3d centre, const CancelToken& cancel) {
   const Raster<float>& h = surface.heights();
   TriangleSoup soup;
   Raster<std::uint32_t> number = h.sameShape<std::uint32_t>(UINT32_MAX);
@@ -28,7 +28,9 @@ TriangleSoup terrainTriangles(const TerrainSurface& surface, Vec3d centre) {
     }
     return n;
   };
-  for (int j = 0; j + 1 < h.height; ++j)
+  soup.positions.reserve(h.size());
+  soup.indices.reserve(6 * h.size());
+  for (int j = 0; j + 1 < h.height && !cancel.cancelled(); ++j)
     for (int i = 0; i + 1 < h.width; ++i) {
       if (!surface.quadExists(i, j)) continue;
       const std::uint32_t a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1),
@@ -156,8 +158,9 @@ void setDomain(SnowScene& scene, const Box3d& ground) {
 
 }  // namespace
 
-SnowScene makeSnowScene(const SceneSnapshot& snapshot, const SnowGround& ground, double filmTime,
-                        const RaySceneFactory& makeRayScene) {
+std::optional<SnowScene> makeSnowScene(const SceneSnapshot& snapshot, const SnowGround& ground,
+                                       double filmTime, const RaySceneFactory& makeRayScene,
+                                       const CancelToken& cancel) {
   SnowScene scene;
   scene.rays = makeRayScene();
   scene.models = standingModels(snapshot, ground, filmTime);
@@ -165,6 +168,7 @@ SnowScene makeSnowScene(const SceneSnapshot& snapshot, const SnowGround& ground,
   if (!ground.terrain.empty()) box = terrainBox(TerrainSurface(snapshot.terrain->heights));
   setDomain(scene, box);
   if (scene.domain.empty()) return scene;
+  if (cancel.cancelled()) return std::nullopt;
   const Vec3d size = scene.domain.size();
   scene.airVolume = size.x * size.y * size.z;
   if (!box.empty()) {
@@ -172,14 +176,15 @@ SnowScene makeSnowScene(const SceneSnapshot& snapshot, const SnowGround& ground,
     scene.hasTerrain = true;
     scene.skirts = skirtEdges(surface);
     for (SkirtEdge& edge : scene.skirts) edge.onBorder = liesOnBorder(edge, scene.domain);
-    const TriangleSoup land = terrainTriangles(surface, scene.centre);
+    const TriangleSoup land = terrainTriangles(surface, scene.centre, cancel);
+    if (cancel.cancelled()) return std::nullopt;
     scene.terrainGeometry = scene.rays->addTriangles(land.positions, land.indices);
     const TriangleSoup skirts = skirtTriangles(scene.skirts, scene.level, scene.centre);
     scene.skirtGeometry = scene.rays->addTriangles(skirts.positions, skirts.indices);
     scene.airVolume -= groundVolume(surface, scene.level);
   }
   for (StandingModel& model : scene.models) addModel(scene, model);
-  scene.rays->commit();
+  if (cancel.cancelled() || !scene.rays->commit(cancel)) return std::nullopt;
   return scene;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/fields/ray_scene.h"
@@ -46,7 +47,8 @@ struct SnowScene {
   }
 };
 
-SnowScene makeSnowScene(const SceneSnapshot& scene, const SnowGround& ground, double filmTime,
-                        const RaySceneFactory& makeRayScene);
+/// Nothing when cancelled.
+std::optional<SnowScene> makeSnowScene(const SceneSnapshot& scene, const SnowGround& ground, double filmTime,
+                                       const RaySceneFactory& makeRayScene, const CancelToken& cancel = {});
 
 }  // namespace spin

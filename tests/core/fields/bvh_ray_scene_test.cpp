@@ -42,6 +42,12 @@ TEST(BvhRayScene, FindsTheClosestOfSeveralAndItsNumber) {
   EXPECT_FALSE(scene->occluded({{0.5f, 0, 10}, {0, 0, 1}}));
 }
 
+TEST(BvhRayScene, CancelEndsTheBuildSoon) {
+  const test::CancelledBuild build = test::cancelledBuild(*makeBvhRayScene());
+  EXPECT_FALSE(build.done);
+  EXPECT_LT(build.seconds, 1.0);
+}
+
 TEST(BvhRayScene, ManyTrianglesInOnePlaceStillBuild) {
   const auto scene = makeBvhRayScene();
   std::vector<Vec3f> positions;

@@ -57,6 +57,12 @@ TEST(EmbreeRayScene, AgreesWithTheBuiltInHierarchy) {
   EXPECT_LE(packetDifferent, 3);
 }
 
+TEST(EmbreeRayScene, CancelEndsTheBuildSoon) {
+  const test::CancelledBuild build = test::cancelledBuild(*makeEmbreeRayScene());
+  EXPECT_FALSE(build.done);
+  EXPECT_LT(build.seconds, 1.0);
+}
+
 TEST(EmbreeRayScene, EmptySceneAndEmptyMeshHideNothing) {
   const auto scene = makeEmbreeRayScene();
   scene->addTriangles({}, {});

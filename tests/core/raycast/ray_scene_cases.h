@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 #include <vector>
 
 #include "core/base/random.h"
@@ -83,6 +85,30 @@ inline int leaksOfBall(RayScene& scene, int rays, bool aimed) {
     leaks += scene.occluded(ray) ? 0 : 1;
   }
   return leaks;
+}
+
+/// A large field's hierarchy, cancelled a moment after its start: whether it noticed, and how soon.
+struct CancelledBuild {
+  bool done = true;
+  double seconds = 0.0;  ///< from the cancel to the end
+};
+inline CancelledBuild cancelledBuild(RayScene& scene) {
+  const Soup soup = field(1200);
+  scene.addTriangles(soup.positions, soup.indices);
+  using Clock = std::chrono::steady_clock;
+  const CancelToken cancel;
+  Clock::time_point asked;
+  std::thread stopper([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    asked = Clock::now();
+    cancel.cancel();
+  });
+  CancelledBuild build;
+  build.done = scene.commit(cancel);
+  const auto ended = Clock::now();
+  stopper.join();
+  build.seconds = std::chrono::duration<double>(ended - asked).count();
+  return build;
 }
 
 /// Vertical and slanting rays at the field's interior, a third straight through its corners.

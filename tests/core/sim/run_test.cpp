@@ -83,7 +83,7 @@ TEST_F(Simulation, KeysCountTheRayCasterAndNotTheThreads) {
     std::uint32_t addTriangles(const std::vector<Vec3f>&, const std::vector<std::uint32_t>&) override {
       return 0;
     }
-    void commit() override {}
+    bool commit(const CancelToken&) override { return true; }
     bool occluded(const Ray&) const override { return false; }
     std::optional<RayHit> closest(const Ray&) const override { return std::nullopt; }
     const char* name() const override { return "other"; }

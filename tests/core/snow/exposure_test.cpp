@@ -15,7 +15,7 @@ using test::TestScene;
 
 ExposureField fieldOf(const SceneSnapshot& scene, const ExposureSettings& settings) {
   const SnowGroundPointer ground = makeSnowGround(scene);
-  const SnowScene standing = makeSnowScene(scene, *ground, 0.0, makeBvhRayScene);
+  const SnowScene standing = *makeSnowScene(scene, *ground, 0.0, makeBvhRayScene);
   CpuBackend backend(2);
   const CancelToken cancel;
   auto field = makeExposureField(scene, *ground, standing, settings, {backend, cancel, {}});
