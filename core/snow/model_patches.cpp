@@ -123,15 +123,15 @@ void fillPatch(const ModelGround& model, std::vector<CellPiece>& pieces, ModelPa
 
 /// Cell size that keeps all patches of the model within the cap.
 double cellWithinCap(const ModelGround& model, const std::vector<ModelPart>& parts, double wanted) {
-  double cell = wanted;
-  for (int attempt = 0; attempt < 40; ++attempt, cell *= 1.3) {
+  std::vector<Vec3d> sizes;
+  for (const ModelPart& part : parts) sizes.push_back(boxOf(model, part).size());
+  const auto cellsOf = [&](double cell) {
     double cells = 0.0;
-    for (const ModelPart& part : parts) {
-      const Vec3d size = boxOf(model, part).size();
-      cells += (size.x / cell + 2.0) * (size.y / cell + 2.0);
-    }
-    if (cells <= kMostPatchCells) break;
-  }
+    for (const Vec3d& size : sizes) cells += (size.x / cell + 2.0) * (size.y / cell + 2.0);
+    return cells;
+  };
+  double cell = wanted;
+  while (cellsOf(cell) > kMostPatchCells) cell *= 1.3;
   if (cell > wanted)
     logWarning(
         fmt::format("The snow cover on model '{}' has cells of {:.2f} m instead of {:.2f} m to stay "

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/snow/snow_ground.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "core/base/log.h"
 #include "core/base/units.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
+#include "core/snow/snow_inputs.h"
 
 namespace spin {
 
@@ -34,7 +36,8 @@ SnowGroundPointer makeSnowGround(const SceneSnapshot& scene) {
   auto layout = std::make_shared<CoverLayout>();
   addTerrainGrids(scene, *layout, ground->terrain);
   const auto settings = scene.settings<SimulationNode>(0.0);
-  const double minUpward = std::cos(degreesToRadians(settings.shedsAboveDegrees));
+  const double shedsAbove = std::max(settings.shedsAboveDegrees, settings.holdsBelowDegrees);
+  const double minUpward = std::cos(degreesToRadians(shedsAbove));
   for (const SceneNode* node : scene.all<ModelNode>()) {
     const auto found = scene.models.find(node->id);
     if (found == scene.models.end() || !found->second) continue;
@@ -42,7 +45,7 @@ SnowGroundPointer makeSnowGround(const SceneSnapshot& scene) {
     const auto& data = static_cast<const ModelNode&>(*evaluated);
     ModelGround model;
     model.node = node->id;
-    model.turns = node->curves.count("rotation_deg") > 0 || node->curves.count("scale") > 0;
+    model.turns = modelTurns(*node);
     model.triangles = placedTriangles(*found->second, scene.modelTransform(*node, 0.0));
     if (data.catchesSnow && !model.turns) {
       addModelPatches(model, data.coverCell, minUpward, *layout);

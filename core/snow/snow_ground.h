@@ -48,7 +48,7 @@ struct ModelPatch {
 
 struct ModelGround {
   std::string node;
-  bool turns = false;                     ///< rotation or scale is animated: keeps no snow
+  bool turns = false;                     ///< rotation or scale changes during the film: keeps no snow
   std::vector<PlacedTriangle> triangles;  ///< at film time 0
   std::vector<std::uint32_t> bare;        ///< triangles that belong to no patch
   std::vector<ModelPatch> patches;

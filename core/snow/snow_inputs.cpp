@@ -18,6 +18,16 @@ bool snowHasGround(const SceneSnapshot& scene) {
   return false;
 }
 
+bool modelTurns(const SceneNode& model) {
+  for (const char* property : {"rotation_deg", "scale"}) {
+    const auto curve = model.curves.find(property);
+    if (curve == model.curves.end()) continue;
+    for (const Key& key : curve->second.keys())
+      if (!(key.value == curve->second.keys().front().value)) return true;
+  }
+  return false;
+}
+
 void hashSnowWeather(const StepInput& input, Hasher& hasher) {
   for (const FrameTime& time : {input.from, input.to}) hasher.add(time.film).add(time.weather);
   const auto hashAll = [&](const auto& nodes) {
@@ -34,8 +44,11 @@ void hashSnowGround(const StepInput& input, Hasher& hasher) {
   hasher.add(input.scene.terrain != nullptr);
   for (const SceneNode* node : input.scene.all<TerrainNode>())
     input.scene.hashNode(*node, middleFilm(input), hasher);
-  for (const SceneNode* node : input.scene.all<ModelNode>())
+  for (const SceneNode* node : input.scene.all<ModelNode>()) {
     input.scene.hashNode(*node, middleFilm(input), hasher);
+    // A key at any time decides whether the model has patches at all.
+    hasher.add(modelTurns(*node));
+  }
 }
 
 }  // namespace spin

@@ -14,6 +14,8 @@ inline double middleFilm(const StepInput& input) {
 }
 /// Adds weather, snowfall and simulation settings at the beginning, middle and end of the step.
 void hashSnowWeather(const StepInput& input, Hasher& hasher);
+/// Whether a model turns or changes size at any time of the film: it keeps no snow then.
+bool modelTurns(const SceneNode& model);
 /// Adds terrain and models where they stand in the middle of the step.
 void hashSnowGround(const StepInput& input, Hasher& hasher);
 

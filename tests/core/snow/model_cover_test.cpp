@@ -201,9 +201,53 @@ TEST(ModelCover, ModelThatTurnsKeepsNoSnow) {
       test.model("sign", modelOf(sheetMesh({0, 0, 3}, {4, 0, 3}, {0, 5, 3})), ModelNode{}).build();
   for (SceneNode& n : scene.nodes)
     if (n.id == "sign") n.curves["rotation_deg"].setKey({0.0, Vec3d{}, Interpolation::Linear});
+  EXPECT_EQ(test::coverOf(framesOf(scene, 1)).layout->grids.size(), 1u) << "one key turns nothing";
+  for (SceneNode& n : scene.nodes)
+    if (n.id == "sign") n.curves["rotation_deg"].setKey({50.0, Vec3d{0, 0, 90}, Interpolation::Step});
   const Frame frame = framesOf(scene, 1);
   EXPECT_TRUE(test::coverOf(frame).layout->grids.empty());
   EXPECT_NEAR(frame.info.budget.get("shed"), 0.2 * 20, 0.02);
+}
+
+TEST(ModelCover, ALaterTurnChangesTheKeysAsItChangesTheFrames) {
+  TestScene test;
+  const SceneSnapshot still =
+      test.model("sign", modelOf(sheetMesh({0, 0, 3}, {4, 0, 3}, {0, 5, 3})), ModelNode{}).build();
+  SceneSnapshot turning = still;
+  for (SceneNode& n : turning.nodes) {
+    if (n.id != "sign") continue;
+    n.curves["rotation_deg"].setKey({0.0, Vec3d{}, Interpolation::Step});
+    n.curves["rotation_deg"].setKey({50.0, Vec3d{0, 0, 90}, Interpolation::Step});
+  }
+  const auto keyOf = [](const SceneSnapshot& scene) {
+    return frameKeys(scene, Pipeline::compile(scene), "cpu", 0)[0];
+  };
+  ASSERT_NE(test::coverOf(framesOf(still, 0)).layout->grids.size(),
+            test::coverOf(framesOf(turning, 0)).layout->grids.size());
+  EXPECT_NE(keyOf(still), keyOf(turning));
+}
+
+TEST(ModelCover, SlopesThatHoldSnowHoldItOnModelsToo) {
+  // The holding angle above the shedding one: all that is below it is held, on terrain and models alike.
+  TestScene test;
+  test.simulation.holdsBelowDegrees = 80.0;
+  test.simulation.shedsAboveDegrees = 30.0;
+  const SceneSnapshot scene =
+      test.model("roof", modelOf(sheetMesh({0, 0, 3}, {4, 0, 7}, {0, 5, 3})), ModelNode{}).build();
+  EXPECT_EQ(test::coverOf(framesOf(scene, 0)).layout->grids.size(), 1u);
+}
+
+TEST(ModelCover, AnEnormousModelStaysWithinTheCapOfCells) {
+  TestScene test;
+  ModelNode placed;
+  placed.scale = {1e3, 1e3, 1};
+  placed.coverCell = 0.02;
+  const float far = 5e5f;
+  const SceneSnapshot scene =
+      test.model("plain", modelOf(sheetMesh({0, 0, 0}, {far, 0, 0}, {0, far, 0})), placed).build();
+  const SnowGroundPointer ground = makeSnowGround(scene);
+  ASSERT_EQ(ground->layout->grids.size(), 1u);
+  EXPECT_LE(static_cast<double>(ground->layout->grids[0].base.size()), kMostPatchCells);
 }
 
 TEST(ModelCover, TinyPartsAreShedAndNothingIsLost) {
