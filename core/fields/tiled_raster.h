@@ -51,18 +51,22 @@ class TiledRaster {
   void set(int i, int j, T value) {
     SPIN_DCHECK(i >= 0 && j >= 0 && i < m_width && j < m_height, "tiled raster index out of range");
     TilePointer& tile = m_tiles[tileIndex(i, j)];
-    if ((*tile)[inTile(i, j)] == value) return;
+    if (same((*tile)[inTile(i, j)], value)) return;
     if (tile.use_count() > 1) tile = std::make_shared<Tile>(*tile);
     const_cast<Tile&>(*tile)[inTile(i, j)] = value;
   }
   friend bool operator==(const TiledRaster& a, const TiledRaster& b) {
     if (a.m_width != b.m_width || a.m_height != b.m_height) return false;
     for (std::size_t t = 0; t < a.m_tiles.size(); ++t)
-      if (a.m_tiles[t] != b.m_tiles[t] && *a.m_tiles[t] != *b.m_tiles[t]) return false;
+      if (a.m_tiles[t] != b.m_tiles[t] &&
+          !std::equal(a.m_tiles[t]->begin(), a.m_tiles[t]->end(), b.m_tiles[t]->begin(), same))
+        return false;
     return true;
   }
 
  private:
+  /// NaN marks what is not painted, so one NaN is as good as another.
+  static bool same(T a, T b) { return a == b || (a != a && b != b); }
   static std::size_t inTile(int i, int j) {
     return static_cast<std::size_t>((j % kTile) * kTile + i % kTile);
   }

@@ -55,8 +55,11 @@ std::string stampOf(const std::string& path, const ImportOptions& options) {
                                   options.heightScale, options.cellSize, options.upAxis, options.unitScale);
   addStamp(info, stamp);
   static const QStringList kCompanions{
-      QStringLiteral("*.bin"),  QStringLiteral("*.mtl"), QStringLiteral("*.png"),    QStringLiteral("*.jpg"),
-      QStringLiteral("*.jpeg"), QStringLiteral("*.prj"), QStringLiteral("*.aux.xml")};
+      QStringLiteral("*.bin"), QStringLiteral("*.mtl"), QStringLiteral("*.png"), QStringLiteral("*.jpg"),
+      QStringLiteral("*.jpeg"), QStringLiteral("*.prj"), QStringLiteral("*.aux.xml"),
+      // World files and masks, which GDAL takes for the raster beside them.
+      QStringLiteral("*.?fw"), QStringLiteral("*.?gw"), QStringLiteral("*.tifw"), QStringLiteral("*.tiffw"),
+      QStringLiteral("*.pngw"), QStringLiteral("*.wld"), QStringLiteral("*.msk")};
   const QFileInfoList companions = info.dir().entryInfoList(kCompanions, QDir::Files, QDir::Name);
   if (companions.size() > kMaxCompanions) return stamp;
   for (const QFileInfo& companion : companions) addStamp(companion, stamp);

@@ -6,6 +6,7 @@
 
 #include "core/nodes/ground_nodes.h"
 #include "core/nodes/terrain_node.h"
+#include "core/scene/asset_file.h"
 #include "tests/support/fake_asset_reader.h"
 
 namespace spin {
@@ -133,6 +134,18 @@ TEST_F(Assets, AChangedFileOrOptionIsReadAgain) {
   EXPECT_EQ(m_reader->reads, 4);
   EXPECT_EQ(m_reader->lastOptions.unitScale, 0.01);
   EXPECT_EQ(m_reader->lastOptions.upAxis, 1);
+}
+
+TEST_F(Assets, AChangedWorldFileIsReadAgain) {
+  for (const char* companion : {"dem.tfw", "dem.pgw", "dem.wld", "dem.tif.msk"}) {
+    const std::string name = std::string("scene/files/") + companion;
+    const std::string before = stampOf(absolute("scene/files/dem.txt"), {});
+    write(name, "5\n0\n0\n-5\n");
+    const std::string with = stampOf(absolute("scene/files/dem.txt"), {});
+    EXPECT_NE(before, with) << companion;
+    write(name, "10\n0\n0\n-10\n");
+    EXPECT_NE(stampOf(absolute("scene/files/dem.txt"), {}), with) << companion;
+  }
 }
 
 TEST_F(Assets, VerticalScaleIsAppliedWithoutReadingAgain) {

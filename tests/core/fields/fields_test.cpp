@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/fields/mesh.h"
 #include "core/fields/particles.h"
 #include "core/fields/raster.h"
@@ -52,6 +54,16 @@ TEST(TiledRasterTest, SharesTilesUntilOneIsWritten) {
   EXPECT_EQ(b.at(65, 3), 9);
   for (std::size_t t = 0; t < a.tileCount(); ++t)
     EXPECT_EQ(a.tile(t) == b.tile(t), t != a.tileIndex(65, 3)) << t;
+}
+
+TEST(TiledRasterTest, UnpaintedCellsAreEqualThoughTheyHoldNaN) {
+  const float none = std::nanf("");
+  TiledRaster<float> a(130, 70, none), b(130, 70, none);
+  a.set(3, 3, none);
+  EXPECT_EQ(a.tile(0), a.tile(1)) << "nothing was written";
+  EXPECT_TRUE(a == b);
+  a.set(3, 3, 270.0f);
+  EXPECT_FALSE(a == b);
 }
 
 TEST(TiledRasterTest, TilesOfOneRasterDoNotShareWrites) {
