@@ -5,7 +5,11 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QTimer>
+#include <cstdlib>
+#include <cstring>
 
+#include "core/base/log.h"
+#include "core/base/result.h"
 #include "editor/app/dark_look.h"
 #include "editor/app/languages.h"
 #include "editor/app/main_window.h"
@@ -72,6 +76,37 @@ QString languageOf(int argc, char** argv) {
   return {};
 }
 
+/// Help and version need no window, and so no display.
+bool asksForText(int argc, char** argv) {
+  for (int k = 1; k < argc; ++k)
+    for (const char* word : {"-h", "--help", "--help-all", "-v", "--version"})
+      if (std::strcmp(argv[k], word) == 0) return true;
+  return false;
+}
+
+/// Qt ends the program where it finds no display; this says first what to do instead.
+bool displayMissing(int argc, char** argv) {
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+    if (const char* value = std::getenv(name); value && *value) return false;
+  for (int k = 1; k < argc; ++k)
+    if (std::strcmp(argv[k], "-platform") == 0) return false;
+  return true;
+}
+
+void describe(QCoreApplication& application) {
+  application.setOrganizationName(QStringLiteral("Spindrift"));
+  application.setApplicationName(QStringLiteral("spindrift"));
+  application.setApplicationVersion(QStringLiteral(SPIN_VERSION));
+}
+
+int printText(int argc, char** argv) {
+  QCoreApplication application(argc, argv);
+  describe(application);
+  loadLanguage(application, languageOf(argc, argv));
+  parse(application);
+  return 0;
+}
+
 void pictureWhenSimulated(MainWindow& window, const QString& file) {
   const auto save = [&window, file] {
     QTimer::singleShot(kPictureDelayMilliseconds, &window,
@@ -83,11 +118,14 @@ void pictureWhenSimulated(MainWindow& window, const QString& file) {
 }  // namespace
 
 int runEditor(int argc, char** argv) {
+  if (asksForText(argc, argv)) return printText(argc, argv);
+  if (displayMissing(argc, argv)) {
+    logError("There is no display for the editor. Start it in a desktop session, or use spindrift-cli");
+    return exitCode(ErrorKind::Usage);
+  }
   setDefaultGlFormat();
   QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("Spindrift"));
-  QApplication::setApplicationName(QStringLiteral("spindrift"));
-  QApplication::setApplicationVersion(QStringLiteral(SPIN_VERSION));
+  describe(application);
   QApplication::setWindowIcon(programIcon());
   const bool known = loadLanguage(application, languageOf(argc, argv));
   const Options options = parse(application);

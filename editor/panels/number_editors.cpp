@@ -70,11 +70,14 @@ VectorEditor::VectorEditor(const PropertyInfo& property, QWidget* parent) : Valu
   static constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(3);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     UnitSpinBox* spin = m_spins[axis] = new UnitSpinBox(property, this);
     spin->setObjectName(QString::fromUtf8(kAxes[axis]));
     spin->setAccessibleName(QString::fromUtf8(kAxes[axis]));
     spin->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    // Three stand in a row, so each may be narrower than one alone.
+    spin->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000 m")));
     layout->addWidget(spin, 1);
     connect(spin, &UnitSpinBox::valueChanged, this, [this] {
       Q_EMIT edited(Vec3d{m_spins[0]->si(), m_spins[1]->si(), m_spins[2]->si()}, true);

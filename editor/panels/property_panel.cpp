@@ -6,6 +6,7 @@
 #include <QEvent>
 #include <QLabel>
 #include <QScrollArea>
+#include <QStyle>
 #include <QVBoxLayout>
 
 #include "editor/document/scene_document.h"
@@ -26,6 +27,7 @@ PropertyPanel::PropertyPanel(SceneDocument* document, TimeContext* time, QWidget
   m_title->setTextFormat(Qt::PlainText);
   m_scroll->setWidgetResizable(true);
   m_scroll->setFrameShape(QFrame::NoFrame);
+  m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(m_title);
   layout->addWidget(m_scroll, 1);
@@ -62,6 +64,9 @@ void PropertyPanel::showNode(const std::string& id) {
   // An edit may come from one of the rows that go now (undo by a shortcut in a spin box).
   if (QWidget* old = m_scroll->takeWidget()) old->deleteLater();
   m_scroll->setWidget(page);
+  // Rows are read across, so the panel never gets narrower than they are.
+  m_scroll->setMinimumWidth(page->minimumSizeHint().width() +
+                            style()->pixelMetric(QStyle::PM_ScrollBarExtent));
   showTitle();
 }
 

@@ -48,6 +48,7 @@ PropertyRowEditor::PropertyRowEditor(SceneDocument* document, TimeContext* time,
   m_dragEnd.setInterval(kDragPauseMs);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
   layout->addWidget(m_key);
   layout->addWidget(m_label);
   layout->addWidget(m_editor, 1);
