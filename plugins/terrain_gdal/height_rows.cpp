@@ -12,13 +12,40 @@
 namespace spin {
 namespace {
 
-/// Metres per unit of the band's vertical unit; 0 if the file names none.
+/// Metres per unit of the band's vertical unit; 0 if the file names none or one that is no length.
 double metresPerUnit(const char* unit) {
   const std::string name = unit ? unit : "";
-  if (name.empty()) return 0.0;
-  if (EQUAL(unit, "ft") || EQUAL(unit, "foot") || EQUAL(unit, "feet")) return 0.3048;
-  if (EQUAL(unit, "us-ft") || EQUAL(unit, "sft") || EQUAL(unit, "US survey foot")) return 1200.0 / 3937.0;
-  return 1.0;
+  struct Named {
+    const char* name;
+    double metres;
+  };
+  constexpr double kSurveyFoot = 1200.0 / 3937.0;
+  static constexpr Named kUnits[] = {{"m", 1.0},
+                                     {"metre", 1.0},
+                                     {"meter", 1.0},
+                                     {"metres", 1.0},
+                                     {"meters", 1.0},
+                                     {"dm", 0.1},
+                                     {"decimetre", 0.1},
+                                     {"decimeter", 0.1},
+                                     {"cm", 0.01},
+                                     {"centimetre", 0.01},
+                                     {"centimeter", 0.01},
+                                     {"mm", 0.001},
+                                     {"millimetre", 0.001},
+                                     {"millimeter", 0.001},
+                                     {"km", 1000.0},
+                                     {"kilometre", 1000.0},
+                                     {"kilometer", 1000.0},
+                                     {"ft", 0.3048},
+                                     {"foot", 0.3048},
+                                     {"feet", 0.3048},
+                                     {"us-ft", kSurveyFoot},
+                                     {"sft", kSurveyFoot},
+                                     {"US survey foot", kSurveyFoot}};
+  for (const Named& known : kUnits)
+    if (EQUAL(name.c_str(), known.name)) return known.metres;
+  return 0.0;
 }
 
 }  // namespace

@@ -115,6 +115,20 @@ TEST_F(TerrainImportTest, FeetBecomeMetres) {
   EXPECT_NEAR(static_cast<double>(import->terrain->heights.at(3, 0)), 23 * 0.3048, 1e-5);
 }
 
+TEST_F(TerrainImportTest, CentimetresBecomeMetresAndUnitsOfNoLengthCountAsNone) {
+  RasterFile raster;
+  raster.unit = "cm";
+  const auto small = test::readTerrain(test::writeTiff(m_folder.file("cm.tif"), raster));
+  ASSERT_TRUE(small.ok()) << small.error().text();
+  EXPECT_NEAR(small->terrain->geo.origin.z, 1.0, 1e-9);
+  raster.unit = "count";
+  ImportOptions options;
+  options.heightScale = 0.5;
+  const auto scaled = test::readTerrain(test::writeTiff(m_folder.file("count.tif"), raster), options);
+  ASSERT_TRUE(scaled.ok()) << scaled.error().text();
+  EXPECT_NEAR(scaled->terrain->geo.origin.z, 50.0, 1e-9);
+}
+
 TEST_F(TerrainImportTest, SouthUpRastersAreTurned) {
   RasterFile raster;
   raster.transform = {500000.0, 5.0, 0.0, 5200000.0, 0.0, 5.0};
