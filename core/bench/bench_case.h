@@ -18,7 +18,7 @@ struct BenchOptions {
   std::string isa = "auto";                  ///< auto | avx512 | avx2 | baseline
   int threads = 0;                           ///< 0 = all
   std::string dataDirectory;                 ///< reference data; cases whose data is absent are skipped
-  std::map<std::string, std::string> files;  ///< further files by option name: met, obs, site
+  std::map<std::string, std::string> files;  ///< further files by option name, such as met
   RaySceneFactory makeRayScene = makeBvhRayScene;
 };
 
@@ -60,6 +60,8 @@ struct BenchCase {
   std::string measures;
   std::string reference;
   Result<std::vector<BenchRow>> (*run)(const BenchOptions& options) = nullptr;
+  std::vector<std::string> fileOptions =
+      {};  ///< "scene": it reads BenchOptions::files["scene"], --scene FILE
 };
 
 /// Built-in cases, in the order of the report. A new case adds its file and one line in bench_registry.cpp.
@@ -73,9 +75,9 @@ Result<std::vector<BenchRow>> readBenchJson(const std::string& text);
 Status writeBenchReport(const std::vector<BenchRow>& rows, const std::string& directory);
 
 /// `bench` of both programs: parses --list, --quick, --json FILE, --report DIR, --device, --isa, --threads,
-/// --data, --met, --obs, --site and case names; prints a table; returns the exit code: 0, 1 (an error bar was
-/// missed or a case could not finish), 2 (usage). A row that leaves seconds, peakBytes, device, isa or
-/// threads empty gets those of its whole case.
+/// --data, --met, --obs, --site, the cases' own file options, --help and case names; prints a table; returns
+/// the exit code: 0, 1 (an error bar was missed or a case could not finish), 2 (usage). A row that leaves
+/// seconds, peakBytes, device, isa or threads empty gets those of its whole case.
 int benchMain(const std::vector<std::string>& arguments, const std::vector<BenchCase>& cases,
               const RaySceneFactory& makeRayScene);
 

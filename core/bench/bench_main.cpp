@@ -21,17 +21,44 @@ namespace {
 struct Command {
   BenchOptions options;
   bool list = false;
+  bool help = false;
   std::string jsonFile;
   std::string reportDirectory;
   std::vector<const BenchCase*> chosen;
 };
 
+constexpr const char* kUsage =
+    "bench [CASE...] [OPTIONS] [--json FILE]   run cases (none named: all) and print their rows\n"
+    "bench --list                              name the cases: id, what it measures, reference\n"
+    "bench --report DIR --json FILE            write DIR/index.html from the rows of an earlier run\n"
+    "\n"
+    "  --quick                 seconds per case instead of minutes\n"
+    "  --json FILE             write the rows as JSON\n"
+    "  --threads N             threads; 0 takes all\n"
+    "  --device auto|cpu|cuda  where to compute\n"
+    "  --isa auto|avx512|avx2|baseline\n"
+    "  --data DIR              folder of reference data; cases without theirs are skipped\n"
+    "  --met, --obs, --site FILE   weather, observations and site of a season\n";
+
 Error usage(std::string what, std::string where, std::string why) {
-  return {
-      ErrorKind::Usage, std::move(what), std::move(where), std::move(why),
-      "bench [CASE...] [--device auto|cpu|cuda] [--isa auto|avx512|avx2|baseline] [--threads N] [--quick] "
-      "[--data DIR] [--met FILE] [--obs FILE] [--site FILE] --json FILE, bench --list, or "
-      "bench --report DIR --json FILE"};
+  return {ErrorKind::Usage, std::move(what), std::move(where), std::move(why),
+          "bench --help names the options, bench --list the cases"};
+}
+
+bool isFileOption(const std::string& option, const std::vector<BenchCase>& cases) {
+  if (option == "--met" || option == "--obs" || option == "--site") return true;
+  return std::any_of(cases.begin(), cases.end(), [&](const BenchCase& c) {
+    return std::any_of(c.fileOptions.begin(), c.fileOptions.end(),
+                       [&](const std::string& name) { return option == "--" + name; });
+  });
+}
+
+void printHelp(const std::vector<BenchCase>& cases) {
+  fmt::print("{}", kUsage);
+  for (const BenchCase& c : cases)
+    for (const std::string& name : c.fileOptions)
+      fmt::print("  {:<24}of the case {}\n", fmt::format("--{} FILE", name), c.id);
+  fmt::print("\nExit codes: 0 ok, 1 an error bar was missed or a case could not finish, 2 usage\n");
 }
 
 Status setThreads(Command& command, const std::string& text) {
@@ -43,14 +70,14 @@ Status setThreads(Command& command, const std::string& text) {
   return {};
 }
 
-Status setOption(Command& command, const std::string& option, const std::string& value) {
+Status setOption(Command& command, const std::string& option, const std::string& value,
+                 const std::vector<BenchCase>& cases) {
   BenchOptions& o = command.options;
   if (option == "--json") return command.jsonFile = value, Status{};
   if (option == "--report") return command.reportDirectory = value, Status{};
   if (option == "--data") return o.dataDirectory = value, Status{};
   if (option == "--threads") return setThreads(command, value);
-  if (option == "--met" || option == "--obs" || option == "--site")
-    return o.files[option.substr(2)] = value, Status{};
+  if (isFileOption(option, cases)) return o.files[option.substr(2)] = value, Status{};
   if (option == "--device") {
     if (value != "auto" && value != "cpu" && value != "cuda")
       return usage("Wrong value", option, fmt::format("'{}' is none of auto, cpu and cuda", value));
@@ -72,18 +99,20 @@ Result<Command> parse(const std::vector<std::string>& arguments, const std::vect
       command.list = true;
     } else if (word == "--quick") {
       command.options.quick = true;
+    } else if (word == "--help" || word == "-h") {
+      command.help = true;
     } else if (word.starts_with("--")) {
       const std::size_t equals = word.find('=');
       const bool joined = equals != std::string::npos;
       if (!joined && i + 1 == arguments.size())
         return usage("Incomplete option", word, "its value is missing");
-      const Status set =
-          setOption(command, word.substr(0, equals), joined ? word.substr(equals + 1) : arguments[++i]);
+      const Status set = setOption(command, word.substr(0, equals),
+                                   joined ? word.substr(equals + 1) : arguments[++i], cases);
       if (!set) return set.error();
     } else {
       const auto found =
           std::find_if(cases.begin(), cases.end(), [&](const BenchCase& c) { return c.id == word; });
-      if (found == cases.end()) return usage("Unknown case", word, "bench --list names the cases");
+      if (found == cases.end()) return usage("Unknown case", word, "there is no such case");
       command.chosen.push_back(&*found);
     }
   }
@@ -183,6 +212,10 @@ int benchMain(const std::vector<std::string>& arguments, const std::vector<Bench
     return exitCode(command.error().kind);
   }
   command->options.makeRayScene = makeRayScene;
+  if (command->help) {
+    printHelp(cases);
+    return 0;
+  }
   if (command->list) {
     for (const BenchCase& c : cases) fmt::print("{}\t{}\t{}\n", c.id, c.measures, c.reference);
     return 0;

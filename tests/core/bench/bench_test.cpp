@@ -62,7 +62,7 @@ class BenchRun : public ::testing::Test {
         {"bad", "what misses its bar", "known", &BenchRun::bad},
         {"slow", "a rate below its bar", "known", &BenchRun::slow},
         {"broken", "cannot finish", "known", &BenchRun::broken},
-        {"absent", "has no data", "known", &BenchRun::absent},
+        {"absent", "has no data", "known", &BenchRun::absent, {"place"}},
     };
     return benchMain(arguments, cases, {});
   }
@@ -183,6 +183,8 @@ TEST_F(BenchRun, ExitCodesFollowTheContract) {
   EXPECT_EQ(run({"broken"}), 1);
   EXPECT_EQ(run({}), 1);
   EXPECT_EQ(run({"--list"}), 0);
+  EXPECT_EQ(run({"--help"}), 0);
+  EXPECT_EQ(run({"absent", "--place", "file"}), 0) << "an option of the case's own";
 }
 
 TEST_F(BenchRun, WrongCallsAreUsageErrors) {

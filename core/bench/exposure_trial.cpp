@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/bench/exposure_trial.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/base/check.h"
+#include "core/base/random.h"
+#include "core/bench/bench_meter.h"
+#include "core/nodes/terrain_node.h"
+#include "core/snow/cell_samplers.h"
+#include "core/snow/exposure_process.h"
+
+namespace spin {
+namespace {
+
+/// Coarse cells within this distance of a model in plan are near it, m.
+constexpr double kNear = 50.0;
+constexpr std::array<const char*, 4> kKinds{"coarse_near", "coarse_far", "fine", "model"};
+
+/// A cover cell.
+struct Probe {
+  std::size_t grid = 0, cell = 0;
+  std::size_t kind = 0;  ///< index into kKinds
+};
+
+struct Prepared {
+  const SceneSnapshot& snapshot;
+  SnowGroundPointer ground;
+  SnowScene scene;
+  ExposureSettings settings;
+  std::optional<TerrainSurface> surface;
+  Raster<std::uint8_t> superseded;
+};
+
+/// Direction uniform in the cone, by its own map from its own random numbers: nothing in common with the
+/// cover's.
+Vec3d referenceDirection(const FallCone& cone, const CounterRandom& random, std::uint64_t index) {
+  const UInt4 w = random.words(index, 1);
+  const double cosine = 1.0 - cone.oneMinusCos * toUnitDouble(w.x, w.y);
+  const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  const double turn = 2.0 * kPi * toUnitDouble(w.z, w.w);
+  return cone.frame.s * (sine * std::cos(turn)) + cone.frame.t * (sine * std::sin(turn)) +
+         cone.frame.n * cosine;
+}
+
+/// Share of plain random rays that see the sky.
+template <class Sampler>
+double reference(const SnowScene& scene, const FallCone& cone, const Sampler& sampler, std::uint64_t probe,
+                 int rays) {
+  constexpr int kBatch = 256;
+  const CounterRandom random{0x5eed0fa11ull + probe, 77};
+  std::vector<Ray> batch;
+  std::vector<std::uint8_t> blocked(kBatch);
+  std::int64_t open = 0;
+  for (int r = 0; r < rays; ++r) {
+    const auto index = static_cast<std::uint64_t>(r);
+    const UInt4 w = random.words(index, 0);
+    const SurfacePoint p = sampler.at(toUnitDouble(w.x, w.y), toUnitDouble(w.z, w.w));
+    const Vec3d fall = referenceDirection(cone, random, index);
+    if (dot(p.normal, fall) < 0.0) batch.push_back(scene.towardsSky(p.position, p.normal, fall));
+    if (batch.size() == kBatch || r + 1 == rays) {
+      scene.rays->occludedMany(batch.data(), batch.size(), blocked.data());
+      open += std::count(blocked.begin(), blocked.begin() + static_cast<std::ptrdiff_t>(batch.size()), 0);
+      batch.clear();
+    }
+  }
+  return static_cast<double>(open) / rays;
+}
+
+double referenceOf(const Prepared& prepared, const Probe& probe, std::uint64_t number, int rays) {
+  const SnowGround& ground = *prepared.ground;
+  const FallCone& cone = prepared.settings.cone;
+  for (const TerrainGrid& terrain : ground.terrain) {
+    if (terrain.grid != probe.grid) continue;
+    TerrainCellSampler sampler(*prepared.surface, terrain, ground.layout->grids[probe.grid],
+                               prepared.superseded);
+    sampler.enter(probe.cell);
+    return reference(prepared.scene, cone, sampler, number, rays);
+  }
+  for (std::size_t m = 0; m < ground.models.size(); ++m)
+    for (const ModelPatch& patch : ground.models[m].patches) {
+      if (patch.grid != probe.grid) continue;
+      PatchCellSampler sampler(ground.models[m], patch, prepared.scene.models[m].placement.translation);
+      sampler.enter(probe.cell);
+      return reference(prepared.scene, cone, sampler, number, rays);
+    }
+  return 0.0;
+}
+
+Prepared prepare(const SceneSnapshot& snapshot, const BenchOptions& options) {
+  Prepared p{snapshot, makeSnowGround(snapshot), {}, exposureSettings(snapshot, 0.0), {}, {}};
+  std::optional<SnowScene> scene = makeSnowScene(snapshot, *p.ground, 0.0, options.makeRayScene);
+  SPIN_CHECK(scene.has_value(), "nobody cancels it");
+  p.scene = std::move(*scene);
+  if (!snapshot.terrain) return p;
+  p.surface.emplace(snapshot.terrain->heights);
+  p.superseded = supersededQuads(snapshot.terrain->heights, *p.ground);
+  return p;
+}
+
+bool nearModel(const SceneSnapshot& scene, double x, double y) {
+  const auto models = scene.all<ModelNode>();
+  return std::any_of(models.begin(), models.end(), [&](const SceneNode* node) {
+    const Vec3d place = scene.modelTransform(*node, 0.0).translation;
+    return std::hypot(place.x - x, place.y - y) < kNear;
+  });
+}
+
+/// All cells that account for a surface, by kind.
+std::array<std::vector<Probe>, 4> cellsOf(const Prepared& prepared) {
+  std::array<std::vector<Probe>, 4> cells;
+  const auto& grids = prepared.ground->layout->grids;
+  std::vector<int> refinement(grids.size(), -1);
+  for (const TerrainGrid& terrain : prepared.ground->terrain) refinement[terrain.grid] = terrain.refinement;
+  for (std::size_t g = 0; g < grids.size(); ++g) {
+    const Raster<float>& area = grids[g].area;
+    for (std::size_t c = 0; c < area.values.size(); ++c) {
+      if (!(area.values[c] > 0.0f)) continue;
+      std::size_t kind = refinement[g] < 0 ? 3 : refinement[g] > 0 ? 2 : 1;
+      const int i = static_cast<int>(c) % area.width, j = static_cast<int>(c) / area.width;
+      if (kind == 1 && nearModel(prepared.snapshot, area.x(i), area.y(j))) kind = 0;
+      cells[kind].push_back({g, c, kind});
+    }
+  }
+  return cells;
+}
+
+/// Points drawn with replacement.
+std::vector<Probe> drawProbes(const Prepared& prepared, const ExposureTrial& trial) {
+  std::vector<std::vector<Probe>> pools;
+  for (std::vector<Probe>& cells : cellsOf(prepared)) {
+    if (cells.empty()) continue;
+    if (trial.byKind || pools.empty())
+      pools.push_back(std::move(cells));
+    else
+      pools[0].insert(pools[0].end(), cells.begin(), cells.end());
+  }
+  const CounterRandom random{0xb0b5ull, 5};
+  std::vector<Probe> probes;
+  for (std::uint64_t k = 0; !pools.empty() && probes.size() < trial.points; ++k) {
+    const std::vector<Probe>& pool = pools[k % pools.size()];
+    probes.push_back(
+        pool[static_cast<std::size_t>(random.uniformDouble(k) * static_cast<double>(pool.size()))]);
+  }
+  return probes;
+}
+
+double rootMeanSquare(const std::vector<double>& errors) {
+  double squares = 0.0;
+  for (const double error : errors) squares += error * error;
+  return std::sqrt(squares / static_cast<double>(errors.size()));
+}
+
+void addErrors(const std::vector<double>& references, const std::vector<Probe>& probes,
+               const ExposureField& field, bool barred, bool byKind, BenchRow& row) {
+  std::vector<double> errors;
+  std::array<std::vector<double>, 4> ofKind;
+  std::size_t shaded = 0;
+  for (std::size_t k = 0; k < probes.size(); ++k) {
+    const auto cover = static_cast<double>(field.grids[probes[k].grid].exposure[probes[k].cell]);
+    errors.push_back(std::abs(cover - references[k]));
+    ofKind[probes[k].kind].push_back(errors.back());
+    shaded += references[k] > 0.02 && references[k] < 0.98 ? 1u : 0u;
+  }
+  std::sort(errors.begin(), errors.end());
+  const double rmse = rootMeanSquare(errors), worst99 = errors[errors.size() * 99 / 100];
+  if (barred) {
+    row.addError("rmse", rmse, "1", 0.02);
+    row.addError("error_99th_percentile", worst99, "1", 0.08);
+  } else {
+    row.addFigure("rmse", rmse, "1");
+    row.addFigure("error_99th_percentile", worst99, "1");
+  }
+  row.addFigure("points", static_cast<double>(errors.size()), "1");
+  row.addFigure("partly_shaded_share", static_cast<double>(shaded) / static_cast<double>(errors.size()), "1");
+  for (std::size_t kind = 0; byKind && kind < kKinds.size(); ++kind) {
+    if (ofKind[kind].empty()) continue;
+    row.addFigure(fmt::format("points_{}", kKinds[kind]), static_cast<double>(ofKind[kind].size()), "1");
+    row.addFigure(fmt::format("rmse_{}", kKinds[kind]), rootMeanSquare(ofKind[kind]), "1");
+  }
+}
+
+}  // namespace
+
+ExposureTrial exposureTrial(SnapshotPointer snapshot, const BenchOptions& options) {
+  ExposureTrial trial;
+  trial.snapshot = std::move(snapshot);
+  trial.points = options.quick ? 1000 : 2000;
+  trial.referenceRays = options.quick ? 4096 : 65536;
+  if (!options.quick) trial.rays = {64, 16, 256};
+  return trial;
+}
+
+Result<std::vector<BenchRow>> compareExposure(const ExposureTrial& trial, const BenchOptions& options) {
+  Prepared prepared = prepare(*trial.snapshot, options);
+  const std::vector<Probe> probes = drawProbes(prepared, trial);
+  if (probes.empty())
+    return badInput("The exposure cannot be compared", "scene", "it has no surface that snow can lie on");
+  CpuBackend backend(options.threads);
+  const CancelToken cancel;
+  std::vector<double> references(probes.size());
+  backend.forEach(
+      "reference", probes.size(),
+      [&](std::size_t k) { references[k] = referenceOf(prepared, probes[k], k, trial.referenceRays); }, 4);
+  std::vector<BenchRow> rows;
+  for (const int rays : trial.rays) {
+    BenchRow row;
+    row.caseId = "exposure-raytraced";
+    row.settings = trial.settings;
+    row.settings["rays"] = std::to_string(rays);
+    row.settings["reference_rays"] = std::to_string(trial.referenceRays);
+    row.settings["caster"] = prepared.scene.rays->name();
+    const BenchMeter meter;
+    prepared.settings.rays = rays;
+    backend.timings().clear();
+    const auto field = makeExposureField(prepared.snapshot, *prepared.ground, prepared.scene,
+                                         prepared.settings, {backend, cancel, {}});
+    if (!field) return field.error();
+    meter.finish(row);
+    // The default setting has the bar; fewer rays show how the error grows.
+    addErrors(references, probes, *field, rays >= 64, trial.byKind, row);
+    row.addFigure("estimated_rmse", field->samplingRmse, "1");
+    double cells = 0.0;
+    for (const auto& grid : field->grids) cells += static_cast<double>(grid.exposure.size());
+    row.addTime("rays_per_second", cells * rays / backend.timings().seconds("exposure"), "1/s");
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace spin
