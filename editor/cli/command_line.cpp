@@ -2,19 +2,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
 #include "core/base/log.h"
-#include "core/bench/bench_case.h"
 #include "editor/cli/commands.h"
 #include "plugins/host/plugin_host.h"
 #include "plugins/sdk/output_file.h"
 
 namespace spin {
 namespace {
+
+constexpr const char* kFooter =
+    "\nA scene from nothing to pictures:\n"
+    "  spindrift-cli import dem.tif --into valley.spindrift --copy\n"
+    "  spindrift-cli import hut.gltf --into valley.spindrift --copy\n"
+    "  spindrift-cli validate valley.spindrift\n"
+    "  spindrift-cli run valley.spindrift --set weather.wind_speed_m_s=6 --output out\n"
+    "\nspindrift-cli COMMAND --help names the options of a command.\n"
+    "Exit codes: 0 ok, 1 run failed or an error bar missed, 2 usage, 3 bad input file, 4 out of resources,\n"
+    "5 cancelled.";
 
 /// All that the options fill in.
 struct Words {
@@ -28,33 +40,49 @@ struct Words {
   std::string referenceFile;
 };
 
-void addScene(CLI::App& command, Words& words) {
-  command.add_option("SCENE", words.job.scene.file, "Scene file (*.spindrift)")->required();
-  command
-      .add_option("--set", words.job.scene.assignments, "Set a property for this run: node.property=value")
-      ->expected(1)
-      ->take_all();
-  command
-      .add_option("--allow", words.job.scene.allowedFolders,
-                  "Folder outside the scene's that its files may lie in")
+void addAllow(CLI::App& command, std::vector<std::string>& folders) {
+  command.add_option("--allow", folders, "Folder outside the scene's that its files may lie in (repeatable)")
+      ->type_name("FOLDER")
       ->expected(1)
       ->take_all();
 }
 
+void addScene(CLI::App& command, Words& words) {
+  command.add_option("SCENE", words.job.scene.file, "Scene file (*.spindrift)")->required();
+  command
+      .add_option(
+          "--set", words.job.scene.assignments,
+          "Set a property for this run only (repeatable), e.g. weather.wind_speed_m_s=6; info names the "
+          "nodes, reference their properties")
+      ->type_name("NODE.PROPERTY=VALUE")
+      ->expected(1)
+      ->take_all();
+  addAllow(command, words.job.scene.allowedFolders);
+}
+
 void addSimulation(CLI::App& command, Words& words) {
-  command.add_option("--frames", words.frames, "A:B, both included; frame 0 is the initial state");
+  command
+      .add_option("--frames", words.frames,
+                  "Both included; frame 0 is the initial state; default: the scene's own")
+      ->type_name("A:B");
   command.add_option("--device", words.job.device, "auto, cpu or cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}));
   command.add_option("--isa", words.job.isa, "auto, avx512, avx2 or baseline")
       ->check(CLI::IsMember({"auto", "avx512", "avx2", "baseline"}));
   command.add_option("--threads", words.job.threads, "Threads; 0 takes all")->check(CLI::Range(0, 1024));
-  command.add_option("--cache", words.job.cache, "Cache folder (default: NAME.cache beside the scene)");
+  command
+      .add_option("--cache", words.job.cache, "Where frames are kept (default: NAME.cache beside the scene)")
+      ->type_name("FOLDER");
 }
 
 void addJob(CLI::App& command, Words& words, bool formats) {
   addScene(command, words);
   addSimulation(command, words);
-  command.add_option("--output", words.job.output, "Output folder")->capture_default_str();
+  command
+      .add_option("--output", words.job.output,
+                  formats ? "Where the files go" : "Where the cache goes if the scene's folder is read-only")
+      ->type_name("FOLDER")
+      ->capture_default_str();
   command.add_option("--progress", words.progress, "text or json (one object per line on stdout)")
       ->check(CLI::IsMember({"text", "json"}));
   command.add_flag("--timings", words.timings, "Print the seconds of each stage at the end");
@@ -62,6 +90,7 @@ void addJob(CLI::App& command, Words& words, bool formats) {
     command
         .add_option("--format", words.job.formats,
                     "Format to write (repeatable): png8, png16, exr, ply, vtp, cover_tif")
+        ->type_name("FORMAT")
         ->expected(1)
         ->take_all();
 }
@@ -71,12 +100,14 @@ void addImport(CLI::App& command, Words& words) {
   command.add_option("FILE", words.import.file, "Terrain or model file")->required();
   command.add_option("--into", words.import.into, "Scene to add it to; made if it does not exist");
   command.add_option("--name", words.import.name, "Name of the new node");
-  command.add_flag("--copy", words.import.copy, "Copy the file into NAME.assets/ beside the scene");
+  command.add_flag("--copy", words.import.copy,
+                   "Copy the file and what it refers to into NAME.assets/ beside the scene");
+  addAllow(command, words.import.allowedFolders);
   command
-      .add_option("--allow", words.import.allowedFolders,
-                  "Folder outside the scene's that its files may lie in")
-      ->expected(1)
-      ->take_all();
+      .add_option("--position", words.import.position,
+                  "Where the model stands, in m from the terrain's south-west corner, Z above the ground "
+                  "(default: where the camera looks)")
+      ->type_name("'X Y Z'");
   command.add_option("--epsg", o.epsg, "EPSG code of the terrain's coordinates");
   command.add_option("--nodata", o.noDataValue,
                      "Value of cells without height, for files that cannot name one");
@@ -89,6 +120,7 @@ void addImport(CLI::App& command, Words& words) {
 }
 
 int fail(const Error& error) {
+  std::fflush(stdout);
   logError(error.text());
   return exitCode(error.kind);
 }
@@ -120,7 +152,8 @@ int jobCommand(const std::string& name, Words& words, const CancelToken& cancel)
   if (words.job.formats.empty() && name == "render") words.job.formats = {"png8"};
   const PluginHost plugins;
   for (const std::string& warning : plugins.warnings()) logWarning(warning);
-  ProgressPrinter printer(words.progress == "json" ? ProgressStyle::Json : ProgressStyle::Lines, stdout);
+  const ProgressStyle readable = ::isatty(STDOUT_FILENO) ? ProgressStyle::Terminal : ProgressStyle::Lines;
+  ProgressPrinter printer(words.progress == "json" ? ProgressStyle::Json : readable, stdout);
   words.job.abandon = [&printer](const Error& error) {
     printer.failed(error);
     std::_Exit(fail(error));
@@ -135,7 +168,7 @@ int jobCommand(const std::string& name, Words& words, const CancelToken& cancel)
   std::uint64_t bytes = 0;
   for (const WrittenFormat& format : report->written) files += format.files, bytes += format.bytes;
   printer.done(words.job.output, files, bytes);
-  if (printer.style() == ProgressStyle::Lines) printReport(*report, words.job.output, words.timings);
+  if (printer.style() != ProgressStyle::Json) printReport(*report, words.job.output, words.timings);
   return 0;
 }
 
@@ -156,13 +189,15 @@ int infoCommand(Words& words, const CancelToken& cancel) {
 int validateCommand(Words& words, const CancelToken& cancel) {
   const Result<OpenedScene> opened = openScene(words.job.scene, makeHelperAssetReader(), cancel);
   if (!opened) return fail(opened.error());
-  int errors = 0;
+  int errors = 0, warnings = 0;
   for (const SceneProblem& problem : findProblems(*opened)) {
-    errors += problem.error ? 1 : 0;
+    ++(problem.error ? errors : warnings);
     std::printf("%s: %s: %s\n", problem.error ? "error" : "warning",
                 problem.node.empty() ? "scene" : problem.node.c_str(), problem.text.c_str());
   }
-  if (errors == 0) std::printf("%s is fine\n", words.job.scene.file.c_str());
+  const std::string count =
+      errors + warnings == 0 ? "is fine" : fmt::format("has {} errors and {} warnings", errors, warnings);
+  std::printf("%s %s\n", words.job.scene.file.c_str(), count.c_str());
   return errors == 0 ? 0 : exitCode(ErrorKind::BadInput);
 }
 
@@ -196,6 +231,7 @@ int dispatch(const CLI::App& app, Words& words, const CancelToken& cancel) {
 
 void describe(CLI::App& app, Words& words) {
   app.require_subcommand(1);
+  app.footer(kFooter);
   app.set_version_flag("--version", std::string("spindrift ") + SPIN_VERSION);
   addJob(*app.add_subcommand("run", "Simulate and export pictures, particles and cover"), words, true);
   addJob(*app.add_subcommand("simulate", "Simulate into the cache"), words, false);
@@ -213,18 +249,28 @@ void describe(CLI::App& app, Words& words) {
   addImport(*app.add_subcommand("import", "Look at a terrain or model file; add it to a scene"), words);
   app.add_subcommand("reference", "Write the reference page of all properties")
       ->add_option("FILE", words.referenceFile, "Where to write it (default: stdout)");
-  app.add_subcommand(
-      "bench", "Measured cases: bench --list, bench [CASE...] --json FILE, bench --report DIR --json FILE");
+  app.add_subcommand("bench",
+                     "Measure speed and errors: bench --list, bench [CASE...] --json FILE; see bench --help");
 }
 
 }  // namespace
 
 int cliMain(const std::vector<std::string>& arguments, const CancelToken& cancel) {
   if (!arguments.empty() && arguments[0] == "bench")
-    return benchMain({arguments.begin() + 1, arguments.end()}, builtInBenchCases(), programRayCaster());
+    return benchMain({arguments.begin() + 1, arguments.end()}, commandLineBenchCases(), programRayCaster());
   CLI::App app("Spindrift: snow scenes without a window", "spindrift-cli");
   Words words;
   describe(app, words);
+  if (arguments.empty()) {
+    std::fputs(app.help().c_str(), stderr);
+    return exitCode(ErrorKind::Usage);
+  }
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (!arguments[0].starts_with('-') && std::find(names.begin(), names.end(), arguments[0]) == names.end()) {
+    return fail({ErrorKind::Usage, "There is no such command", arguments[0], "the name is unknown",
+                 fmt::format("The commands are {}", fmt::join(names, ", "))});
+  }
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::ParseError& error) {

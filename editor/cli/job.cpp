@@ -102,20 +102,30 @@ class Job {
 void Job::report(const std::string& stage, int frame, int first, double stageShare, double base, double share,
                  double left) {
   m_fraction = std::max(m_fraction, base + share * stageShare);
-  if (m_progress) m_progress({stage, frame, first, m_report.frames.last, m_fraction, left});
+  // How long an export takes is not known before it has begun.
+  const bool more = stage == "simulate" && !m_options.formats.empty();
+  if (m_progress)
+    m_progress({stage, frame, first, m_report.frames.last, m_fraction, more ? -1.0 : left, left});
 }
 
 Result<JobReport> Job::run() {
+  // Whatever can be refused is refused before the long work.
+  if (Status known = checkFormats(m_options, m_plugins); !known) return known.error();
   if (Status prepared = prepare(); !prepared) return prepared.error();
   if (Status room = checkRoom(); !room) return room.error();
-  if (Status simulated = simulate(); !simulated) return simulated.error();
+  if (Status made = makeOutputFolders(m_options); !made) return made.error();
+  if (Status simulated = simulate(); !simulated) {
+    Error error = simulated.error();
+    if (error.kind == ErrorKind::Cancelled) error.advice = "Start it again to go on from the cached frames";
+    return error;
+  }
   if (!m_options.formats.empty())
     if (Status exported = exportFrames(); !exported) return exported.error();
   return m_report;
 }
 
 Status Job::prepare() {
-  if (m_progress) m_progress({"load", -1, 0, 0, 0.0, -1.0});
+  if (m_progress) m_progress({"load"});
   Result<OpenedScene> opened = openScene(m_options.scene, makeHelperAssetReader(), m_cancel);
   if (!opened) return opened.error();
   m_opened = std::move(*opened);

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
+#include "core/base/check.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
 #include "editor/cli/bitmap_font.h"
@@ -14,6 +16,7 @@
 #include "editor/render/egl_context.h"
 #include "editor/render/renderer.h"
 #include "plugins/host/plugin_host.h"
+#include "plugins/sdk/output_file.h"
 
 namespace spin {
 namespace {
@@ -43,6 +46,30 @@ struct JobExport::Cache {
   std::string format;
   std::unique_ptr<CacheExporter> exporter;
 };
+
+Status checkFormats(const JobOptions& options, const PluginHost& plugins) {
+  std::vector<std::string> known;
+  for (const ImageFormat& format : plugins.imageFormats()) known.push_back(format.id);
+  for (const std::string& id : plugins.exporterIds()) known.push_back(id);
+  for (const std::string& format : options.formats)
+    if (std::find(known.begin(), known.end(), format) == known.end())
+      return Error{ErrorKind::Usage, "There is no such format", format, "no plugin writes it",
+                   known.empty() ? "No export plugin was found; check the installation"
+                                 : fmt::format("Choose one of {}", fmt::join(known, ", "))};
+  return {};
+}
+
+Status makeOutputFolders(const JobOptions& options) {
+  for (const std::string& format : options.formats) {
+    const std::string folder = (fs::path(options.output) / folderOfFormat(format)).string();
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+      return Error{ErrorKind::Failed, "The output folder could not be made", folder, error.message(),
+                   "Choose another folder with --output"};
+  }
+  return {};
+}
 
 std::string folderOfFormat(const std::string& format) {
   static const std::map<std::string, std::string> kFolders{
@@ -100,6 +127,8 @@ JobExport::JobExport(const OpenedScene& opened, const JobOptions& options, Frame
 JobExport::~JobExport() = default;
 
 Status JobExport::begin() {
+  if (Status known = checkFormats(m_options, m_plugins); !known) return known;
+  if (Status made = makeOutputFolders(m_options); !made) return made;
   for (const std::string& format : m_options.formats) {
     const std::vector<std::string> ids = m_plugins.exporterIds();
     const bool cache = std::find(ids.begin(), ids.end(), format) != ids.end();
@@ -116,33 +145,16 @@ Status JobExport::begin() {
   return {};
 }
 
-Status JobExport::makeFolder(const std::string& format) {
-  const std::string folder = (fs::path(m_options.output) / folderOfFormat(format)).string();
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!error) return {};
-  return Error{ErrorKind::Failed, "The output folder could not be made", folder, error.message(),
-               "Choose another folder with --output"};
-}
-
 Status JobExport::beginPictures(const std::string& format) {
   const std::vector<ImageFormat> known = m_plugins.imageFormats();
   const auto found =
       std::find_if(known.begin(), known.end(), [&](const ImageFormat& f) { return f.id == format; });
-  if (found == known.end()) {
-    std::string names;
-    for (const ImageFormat& f : known) names += (names.empty() ? "" : ", ") + f.id;
-    for (const std::string& id : m_plugins.exporterIds()) names += (names.empty() ? "" : ", ") + id;
-    return Error{
-        ErrorKind::Usage, "There is no such format", format, "no plugin writes it",
-        names.empty() ? "No export plugin was found; check the installation" : "Choose one of " + names};
-  }
+  SPIN_CHECK(found != known.end(), "checkFormats lets only known formats pass");
   m_pictures.push_back({*found, m_plugins.imageWriter(format), {}});
-  return makeFolder(format);
+  return {};
 }
 
 Status JobExport::beginCache(const std::string& format) {
-  if (Status made = makeFolder(format); !made) return made;
   Cache cache{format, m_plugins.makeExporter(format)};
   if (!cache.exporter)
     return Error{ErrorKind::Failed, "The exporter could not be made", format, "its plugin refused", ""};
@@ -160,6 +172,9 @@ std::string JobExport::pathOf(const Pictures& pictures, int frame) const {
 
 Status JobExport::writePictures(const FramePointer& frame) {
   const CancelWatch::Section section(m_watch.get(), [&] {
+    // The program ends without the writer's own cleaning up.
+    for (const Pictures& pictures : m_pictures)
+      std::remove(OutputFile::temporaryPathOf(pathOf(pictures, frame->info.time.frame)).c_str());
     const Status finished = finish();
     m_options.abandon(finished ? cancelledAt(frame->info.time.frame) : finished.error());
   });

@@ -51,7 +51,6 @@ class JobExport {
 
   Status beginPictures(const std::string& format);
   Status beginCache(const std::string& format);
-  Status makeFolder(const std::string& format);
   Status writePictures(const FramePointer& frame);
   std::string pathOf(const Pictures& pictures, int frame) const;
 
@@ -69,6 +68,9 @@ class JobExport {
   std::unique_ptr<CancelWatch> m_watch;  ///< last: its thread uses the others
 };
 
+/// Whether there are plugins for the formats.
+Status checkFormats(const JobOptions& options, const PluginHost& plugins);
+Status makeOutputFolders(const JobOptions& options);
 /// Folder of a format below the output folder: "images", "particles", "cover", ...
 std::string folderOfFormat(const std::string& format);
 

@@ -52,6 +52,10 @@ std::string equivalentCommand(const OpenedScene& opened, const JobOptions& optio
   std::string line = fmt::format("spindrift-cli {} {}", options.command,
                                  shellWord(std::filesystem::path(opened.file).filename().string()));
   for (const std::string& assignment : options.scene.assignments) line += " --set " + shellWord(assignment);
+  const auto sceneFolder = std::filesystem::path(opened.file).parent_path();
+  for (const std::string& folder : options.scene.allowedFolders)
+    line += " --allow " +
+            shellWord(std::filesystem::absolute(folder).lexically_proximate(sceneFolder).generic_string());
   line += fmt::format(" --frames {}:{}", frames.first, frames.last);
   for (const std::string& format : options.formats) line += " --format " + shellWord(format);
   if (options.device != "auto") line += " --device " + shellWord(options.device);

@@ -10,7 +10,7 @@
 namespace spin {
 
 /// The command line that gives the same files, run in the scene's folder: no --output, --threads, --cache, no
-/// time.
+/// time. Allowed folders are told relative to the scene's.
 std::string equivalentCommand(const OpenedScene& opened, const JobOptions& options, FrameRange frames);
 
 /// Text of manifest.json: what was exported, in which units, where on the earth, from which scene, how to

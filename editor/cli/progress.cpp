@@ -7,8 +7,12 @@
 namespace spin {
 namespace {
 
-constexpr auto kJsonInterval = std::chrono::milliseconds(100);
-constexpr auto kLineInterval = std::chrono::seconds(5);
+constexpr auto kQuickInterval = std::chrono::milliseconds(100);
+constexpr auto kLineInterval = std::chrono::seconds(1);
+constexpr auto kSignOfLife = std::chrono::seconds(30);
+constexpr double kLineShare = 0.05;
+/// To the left edge, and empties the line.
+constexpr const char* kClearLine = "\r\033[K";
 
 std::string duration(double seconds) {
   const auto whole = static_cast<long>(seconds + 0.5);
@@ -19,7 +23,10 @@ std::string readableLine(const Progress& p) {
   std::string line = p.stage;
   if (p.frame >= 0) line += fmt::format(": frame {} of {}..{}", p.frame, p.first, p.last);
   line += fmt::format(", {:.0f} %", 100.0 * p.fraction);
-  if (p.secondsLeft >= 0.0) line += fmt::format(", {} left", duration(p.secondsLeft));
+  if (p.secondsLeft >= 0.0)
+    line += fmt::format(", {} left", duration(p.secondsLeft));
+  else if (p.stageSecondsLeft >= 0.0)
+    line += fmt::format(", {} left of this stage", duration(p.stageSecondsLeft));
   return line;
 }
 
@@ -45,9 +52,13 @@ std::string progressLine(const Progress& p) {
   std::string line = fmt::format("{{\"stage\":{}", jsonText(p.stage));
   if (p.frame >= 0) line += fmt::format(",\"frame\":{},\"first\":{},\"last\":{}", p.frame, p.first, p.last);
   line += fmt::format(",\"fraction\":{:.6g}", p.fraction);
-  if (p.frame >= 0)
-    line += p.secondsLeft < 0.0 ? std::string(",\"seconds_left\":null")
-                                : fmt::format(",\"seconds_left\":{:.1f}", p.secondsLeft);
+  const auto addSeconds = [&](const char* key, double seconds) {
+    line += fmt::format(",\"{}\":{}", key, seconds < 0.0 ? "null" : fmt::format("{:.1f}", seconds));
+  };
+  if (p.frame >= 0) {
+    addSeconds("seconds_left", p.secondsLeft);
+    addSeconds("stage_seconds_left", p.stageSecondsLeft);
+  }
   return line + "}";
 }
 
@@ -62,30 +73,39 @@ std::string failedLine(const Error& error) {
                      jsonText(error.text()));
 }
 
-void ProgressPrinter::write(const std::string& line) {
-  std::fputs((line + "\n").c_str(), m_stream);
+void ProgressPrinter::write(const std::string& text) {
+  std::fputs(text.c_str(), m_stream);
   std::fflush(m_stream);
+}
+
+bool ProgressPrinter::isDue(const Progress& progress, std::chrono::steady_clock::time_point now) const {
+  if (progress.stage != m_last.stage) return true;
+  const auto waited = now - m_time;
+  if (m_style == ProgressStyle::Json) return progress.frame != m_last.frame || waited >= kQuickInterval;
+  if (m_style == ProgressStyle::Terminal) return waited >= kQuickInterval;
+  const bool further = progress.fraction - m_last.fraction >= kLineShare;
+  return waited >= (further ? kLineInterval : kSignOfLife);
 }
 
 void ProgressPrinter::print(const Progress& progress) {
   const auto now = std::chrono::steady_clock::now();
-  const bool newStage = progress.stage != m_last.stage;
-  const bool json = m_style == ProgressStyle::Json;
-  const bool newFrame = json && progress.frame != m_last.frame;
-  if (!newStage && !newFrame &&
-      now - m_time < (json ? kJsonInterval : std::chrono::milliseconds(kLineInterval)))
-    return;
+  if (!isDue(progress, now)) return;
   m_time = now;
   m_last = progress;
-  write(json ? progressLine(progress) : readableLine(progress));
+  if (m_style == ProgressStyle::Json) return write(progressLine(progress) + "\n");
+  if (m_style == ProgressStyle::Lines) return write(readableLine(progress) + "\n");
+  // The cursor goes back, so that a message between two reports starts at the left edge.
+  write(kClearLine + readableLine(progress) + "\r");
 }
 
 void ProgressPrinter::done(const std::string& output, std::size_t files, std::uint64_t bytes) {
-  if (m_style == ProgressStyle::Json) write(doneLine(output, files, bytes));
+  if (m_style == ProgressStyle::Json) write(doneLine(output, files, bytes) + "\n");
+  if (m_style == ProgressStyle::Terminal) write(kClearLine);
 }
 
 void ProgressPrinter::failed(const Error& error) {
-  if (m_style == ProgressStyle::Json) write(failedLine(error));
+  if (m_style == ProgressStyle::Json) write(failedLine(error) + "\n");
+  if (m_style == ProgressStyle::Terminal) write(kClearLine);
 }
 
 }  // namespace spin

@@ -26,18 +26,20 @@ inline Error cannotWrite(const std::string& path, const std::string& why) {
 class OutputFile {
  public:
   /// The temporary name keeps the extension, by which libraries choose the format.
-  explicit OutputFile(const std::string& path) : m_path(path) {
-    const std::filesystem::path wanted(path);
-    const std::string name =
-        "." + wanted.stem().string() + ".part" + std::to_string(getpid()) + wanted.extension().string();
-    m_temporary = (wanted.parent_path() / name).string();
-  }
+  explicit OutputFile(const std::string& path) : m_path(path), m_temporary(temporaryPathOf(path)) {}
   ~OutputFile() {
     if (!m_committed) std::remove(m_temporary.c_str());
   }
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
+  /// Where this process writes the file until it is whole.
+  static std::string temporaryPathOf(const std::string& path) {
+    const std::filesystem::path wanted(path);
+    const std::string name =
+        "." + wanted.stem().string() + ".part" + std::to_string(getpid()) + wanted.extension().string();
+    return (wanted.parent_path() / name).string();
+  }
   const std::string& temporaryPath() const { return m_temporary; }
 
   Status write(const std::vector<char>& bytes) {

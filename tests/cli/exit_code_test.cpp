@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "core/bench/bench_case.h"
 #include "tests/cli/program.h"
 
 namespace spin {
@@ -40,6 +41,37 @@ TEST_F(ExitCode, TwoForWrongUse) {
   expect(2, {"run", scene, "--device", "abacus"}, "abacus");
   expect(2, {"run", scene, "--set", "weather.wind=3"}, "wind_speed_m_s");
   expect(2, {"export", scene, "--format", "gif", "--output", folder / "out"}, "png8");
+}
+
+TEST_F(ExitCode, AnUnknownFormatOrCommandIsToldBeforeAnyWork) {
+  const auto format = test::runProgram(folder, {"export", scene, "--format", "obj"});
+  EXPECT_EQ(format.code, 2);
+  EXPECT_EQ(format.error.find("frames to simulate"), std::string::npos) << format.error;
+  EXPECT_NE(format.error.find("cover_tif"), std::string::npos) << format.error;
+  const auto command = test::runProgram(folder, {"simulat", scene});
+  EXPECT_EQ(command.code, 2);
+  EXPECT_NE(command.error.find("simulate"), std::string::npos) << command.error;
+}
+
+TEST_F(ExitCode, BenchMeasuresTheExposureOfAScene) {
+  const auto measured = test::runProgram(
+      folder, {"bench", "exposure-raytraced", "--quick", "--scene", scene, "--json", folder / "rows.json"});
+  EXPECT_EQ(measured.code, 0) << measured.out << measured.error;
+  const auto rows = readBenchJson(test::readFile(folder / "rows.json"));
+  ASSERT_TRUE(rows.ok()) << rows.error().text();
+  const BenchRow& row = rows->back();
+  EXPECT_EQ(row.settings.at("scene"), "tiny.spindrift");
+  std::map<std::string, BenchMetric> metrics(row.metrics.begin(), row.metrics.end());
+  EXPECT_EQ(metrics.at("rmse").bar, 0.02);
+  EXPECT_EQ(metrics.at("error_99th_percentile").bar, 0.08);
+  EXPECT_EQ(metrics.at("points").value, 1000);
+  EXPECT_GT(metrics.at("points_model").value, 100);
+  EXPECT_GT(metrics.at("points_fine").value, 100);
+  EXPECT_GT(metrics.at("rmse").value, 1e-4) << "two independent estimates never agree fully";
+  EXPECT_EQ(test::runProgram(folder, {"bench", "mass", "--scene"}).code, 2);
+  EXPECT_EQ(
+      test::runProgram(folder, {"bench", "exposure-raytraced", "--quick", "--scene", "no.spindrift"}).code,
+      1);
 }
 
 TEST_F(ExitCode, ThreeForBadFiles) {

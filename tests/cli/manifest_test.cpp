@@ -42,6 +42,13 @@ TEST(Manifest, CommandRepeatsTheJobWithoutPlaceAndThreads) {
             R"('render.caption=it'\''s cold' --frames 2:8 --format png8 --format ply)");
 }
 
+TEST(Manifest, CommandAllowsTheSameFolders) {
+  JobOptions options;
+  options.scene.allowedFolders = {"/some/data/dem tiles", "/some/where/below"};
+  EXPECT_EQ(equivalentCommand(openedScene(), options, {0, 1}),
+            "spindrift-cli run 'my valley.spindrift' --allow '../data/dem tiles' --allow below --frames 0:1");
+}
+
 TEST(Manifest, SaysWhereAndInWhichUnits) {
   const std::string text = manifestText(openedScene(), jobOptions(), {2, 8}, JsonValue::array(), "llvmpipe");
   EXPECT_EQ(text.find("/tmp"), std::string::npos);

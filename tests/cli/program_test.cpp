@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "core/nodes/camera_node.h"
 #include "tests/cli/program.h"
 
 namespace spin {
@@ -145,6 +146,43 @@ TEST_F(CliProgram, ImportShowsTheFileAndAddsIt) {
   EXPECT_EQ(toText(plainValue(*box, *box->type->find("source"))), "box.obj");
   EXPECT_EQ(toText(plainValue(*box, *box->type->find("unit_m"))), "0.5");
   EXPECT_NE(run({"validate", made}).out.find("is fine"), std::string::npos);
+}
+
+TEST_F(CliProgram, ANewSceneSnowsOnAModelThatTheCameraSees) {
+  const std::string made = folder / "new.spindrift";
+  run({"import", folder / "hill.asc", "--into", made});
+  run({"import", folder / "box.obj", "--into", made});
+  run({"import", folder / "box.obj", "--into", made, "--name", "Other", "--position", "3 4 0.5"});
+  const Result<LoadedScene> loaded = loadScene(made);
+  ASSERT_TRUE(loaded.ok());
+  EXPECT_TRUE(loaded->scene.firstOf(kSnowfallType));
+  const auto* settings = loaded->scene.find("simulation")->as<SimulationNode>();
+  ASSERT_TRUE(settings);
+  EXPECT_GT(settings->timeScale, 100.0) << "the cover would not be seen to grow";
+  const auto* camera = loaded->scene.find("camera")->as<CameraNode>();
+  const auto* box = loaded->scene.find("box")->as<ModelNode>();
+  const auto* other = loaded->scene.find("box_2")->as<ModelNode>();
+  ASSERT_TRUE(camera && box && other);
+  // The hill is 45 m x 35 m.
+  EXPECT_NEAR(camera->target.x, 22.5, 5.0);
+  EXPECT_NEAR(camera->target.y, 17.5, 5.0);
+  EXPECT_GT(camera->position.z, camera->target.z + 5.0);
+  EXPECT_NEAR(box->position.x, camera->target.x, 0.5);
+  EXPECT_NEAR(box->position.y, camera->target.y, 0.5);
+  EXPECT_EQ(other->position, (Vec3d{3, 4, 0.5}));
+  const auto wrong = runProgram(folder, {"import", folder / "box.obj", "--into", made, "--position", "3,4"});
+  EXPECT_EQ(wrong.code, 2) << wrong.error;
+}
+
+TEST_F(CliProgram, ImportCopiesWhatAModelRefersTo) {
+  const test::Folder other;
+  test::writeFile(folder / "hut.obj", "mtllib walls.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl wood\nf 1 2 3\n");
+  test::writeFile(folder / "walls.mtl", "newmtl wood\nmap_Kd tex/wood.png\n");
+  std::filesystem::create_directories(folder / "tex");
+  test::writeFile(folder / "tex/wood.png", "a picture of another test");
+  run({"import", folder / "hut.obj", "--into", other / "new.spindrift", "--copy"});
+  for (const char* name : {"hut.obj", "walls.mtl", "tex/wood.png"})
+    EXPECT_EQ(test::readFile((other / "new.assets/") + name), test::readFile(folder / name)) << name;
 }
 
 TEST_F(CliProgram, ImportFromElsewhereAsksForACopy) {

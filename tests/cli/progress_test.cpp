@@ -12,10 +12,12 @@ namespace {
 
 TEST(Progress, LinesHaveTheirDocumentedForm) {
   EXPECT_EQ(progressLine({"load", -1, 0, 0, 0.0, -1.0}), R"({"stage":"load","fraction":0})");
-  EXPECT_EQ(progressLine({"simulate", 12, 0, 119, 0.0504, 33.21}),
-            R"({"stage":"simulate","frame":12,"first":0,"last":119,"fraction":0.0504,"seconds_left":33.2})");
-  EXPECT_EQ(progressLine({"export", 3, 0, 9, 0.5, -1.0}),
-            R"({"stage":"export","frame":3,"first":0,"last":9,"fraction":0.5,"seconds_left":null})");
+  EXPECT_EQ(progressLine({"simulate", 12, 0, 119, 0.0504, -1.0, 33.21}),
+            R"({"stage":"simulate","frame":12,"first":0,"last":119,"fraction":0.0504,)"
+            R"("seconds_left":null,"stage_seconds_left":33.2})");
+  EXPECT_EQ(progressLine({"export", 3, 0, 9, 0.5, 7.0, 7.0}),
+            R"({"stage":"export","frame":3,"first":0,"last":9,"fraction":0.5,)"
+            R"("seconds_left":7.0,"stage_seconds_left":7.0})");
   EXPECT_EQ(doneLine("out", 361, 5),
             R"({"stage":"done","fraction":1,"exit_code":0,"output":"out","files":361,"bytes":5})");
 }
@@ -47,6 +49,12 @@ std::string printed(ProgressStyle style, int reports) {
 TEST(Progress, ReadableLinesDoNotFloodLogs) {
   const std::string text = printed(ProgressStyle::Lines, 1000);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2) << text;
+}
+
+TEST(Progress, ATerminalShowsOneLineThatGoes) {
+  const std::string text = printed(ProgressStyle::Terminal, 1000);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 0) << text;
+  EXPECT_TRUE(text.ends_with("\r\033[K"));
 }
 
 TEST(Progress, JsonNamesEveryFrameAndEndsWithDone) {
