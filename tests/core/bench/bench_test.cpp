@@ -252,10 +252,13 @@ TEST(BenchMeterTest, SeesMemoryOfItsOwnRow) {
     ASSERT_EQ(block[kBytes / 2], 1);
     meter.finish(first);
   }
+  EXPECT_GE(first.peakBytes, static_cast<double>(kBytes));
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the sanitizer keeps freed memory, so the second row has the first one's";
+#endif
   if (!resetPeakResidentBytes()) GTEST_SKIP() << "the system does not let a process reset its peak";
   const BenchMeter meter;
   meter.finish(second);
-  EXPECT_GE(first.peakBytes, static_cast<double>(kBytes));
   EXPECT_LT(second.peakBytes, first.peakBytes - 0.5 * kBytes);
 }
 
