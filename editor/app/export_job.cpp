@@ -14,7 +14,7 @@ namespace spin {
 namespace {
 
 constexpr qsizetype kMaxMessages = 20000;
-constexpr int kChildNiceness = 5;
+constexpr int kChildNiceness = 15;
 
 QString quoted(const QString& word) {
   static const QString plain = QStringLiteral("-_./:=,+@%");

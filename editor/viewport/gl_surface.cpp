@@ -218,7 +218,12 @@ void GlSurface::paintGL() {
 void GlSurface::drawScene() {
   const auto begin = std::chrono::steady_clock::now();
   // Taken over here, so that a hidden view costs nothing and only the newest frame is uploaded.
-  if (std::exchange(m_sceneIsNew, false)) m_renderer->setScene(m_scene);
+  if (std::exchange(m_sceneIsNew, false)) {
+    m_renderer->setScene(m_scene);
+    // On a slow driver the upload has a turn of its own, so that upload and picture together do not hold up
+    // the window.
+    if (m_samples == 0) return scheduleUpdate();
+  }
   if (std::exchange(m_frameIsNew, false)) m_renderer->setFrame(m_frame);
   const auto uploaded = std::chrono::steady_clock::now();
   const DrawBudget::Effort effort = m_budget.effort(m_moving);
