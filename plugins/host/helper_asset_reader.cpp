@@ -57,7 +57,7 @@ class HelperAssetReader final : public AssetReader {
   }
 
   Status writeLayer(const PaintedLayer& layer, const TerrainData& terrain, const std::string& path) override {
-    ImportRequest request{ImportTask::WriteLayer, std::filesystem::absolute(path).string(), {}, layer, {}};
+    HelperRequest request{ImportTask::WriteLayer, std::filesystem::absolute(path).string(), {}, layer, {}};
     const Raster<float>& r = terrain.heights;
     request.terrain.heights.width = r.width;
     request.terrain.heights.height = r.height;
@@ -72,14 +72,14 @@ class HelperAssetReader final : public AssetReader {
 
  private:
   template <class T, class Decode>
-  Result<T> read(ImportRequest request, const CancelToken& cancel, Decode decode) const {
+  Result<T> read(HelperRequest request, const CancelToken& cancel, Decode decode) const {
     if (Status status = checkReadable(request.path); !status) return status.error();
     request.path = std::filesystem::absolute(request.path).string();
     return ask<T>(request, cancel, decode);
   }
 
   template <class T, class Decode>
-  Result<T> ask(const ImportRequest& request, const CancelToken& cancel, Decode decode) const {
+  Result<T> ask(const HelperRequest& request, const CancelToken& cancel, Decode decode) const {
     const std::string& path = request.path;
     try {
       SharedBytes answer;

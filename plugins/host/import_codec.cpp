@@ -60,7 +60,7 @@ Error brokenAnswer(const std::string& path, const char* why) {
 
 }  // namespace
 
-std::vector<char> encodeRequest(const ImportRequest& request) {
+std::vector<char> encodeRequest(const HelperRequest& request) {
   ByteWriter out;
   out.put(request.task);
   out.put(request.path);
@@ -70,9 +70,9 @@ std::vector<char> encodeRequest(const ImportRequest& request) {
   return out.take();
 }
 
-Result<ImportRequest> decodeRequest(const char* data, std::size_t size) {
+Result<HelperRequest> decodeRequest(const char* data, std::size_t size) {
   ByteReader in(data, size);
-  ImportRequest request;
+  HelperRequest request;
   request.task = in.get<ImportTask>();
   request.path = in.getText();
   request.options = in.get<ImportOptions>();

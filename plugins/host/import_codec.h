@@ -13,7 +13,7 @@ namespace spin {
 enum class ImportTask : std::uint8_t { ReadTerrain, ReadModel, ReadLayer, WriteLayer };
 
 /// What the helper is asked to do.
-struct ImportRequest {
+struct HelperRequest {
   ImportTask task = ImportTask::ReadTerrain;
   std::string path;  ///< absolute
   ImportOptions options;
@@ -21,8 +21,8 @@ struct ImportRequest {
   TerrainData terrain;  ///< WriteLayer only: shape and georeference, no heights
 };
 
-std::vector<char> encodeRequest(const ImportRequest& request);
-Result<ImportRequest> decodeRequest(const char* data, std::size_t size);
+std::vector<char> encodeRequest(const HelperRequest& request);
+Result<HelperRequest> decodeRequest(const char* data, std::size_t size);
 
 void encode(ByteWriter& out, const Error& error);
 void encode(ByteWriter& out, const TerrainImport& import);

@@ -54,7 +54,7 @@ Status answerWith(ByteWriter& out, const Result<T>& result) {
   return {};
 }
 
-Status perform(const ImportRequest& request, ByteWriter& out) {
+Status perform(const HelperRequest& request, ByteWriter& out) {
   if (request.task == ImportTask::ReadModel) {
     const auto importer = importerFor<ModelImporter>(request.path, SPIN_MODEL_IMPORTER_IID);
     if (!importer) return importer.error();
@@ -70,7 +70,7 @@ Status perform(const ImportRequest& request, ByteWriter& out) {
 }
 
 /// Exceptions of the libraries end here; the memory one has its own kind.
-Status performGuarded(const ImportRequest& request, ByteWriter& out) {
+Status performGuarded(const HelperRequest& request, ByteWriter& out) {
   try {
     return perform(request, out);
   } catch (const std::bad_alloc&) {
@@ -102,7 +102,7 @@ int run() {
     std::fputs("spindrift-import-helper is started by spindrift and spindrift-cli, not by hand\n", stderr);
     return 2;
   }
-  const Result<ImportRequest> request =
+  const Result<HelperRequest> request =
       decodeRequest(static_cast<const char*>(data), static_cast<std::size_t>(about.st_size));
   ByteWriter out;
   const Status status = request ? performGuarded(*request, out) : Status(request.error());

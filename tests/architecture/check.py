@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 Spindrift contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Holds the tree against resources/docs/architecture.md: include arrows, cycles, file and function sizes, headers.
+"""Holds the tree against resources/docs/architecture.md: include arrows, cycles, file and function sizes, type names, headers.
 
 usage: check.py ROOT [--figures]
 """
@@ -157,6 +157,21 @@ def check_sources(root, problems):
     return file_sizes, function_sizes
 
 
+def check_names(root, problems):
+    """Two types of one name in different headers link to one destructor, whichever the linker keeps."""
+    places = {}
+    opening = re.compile(r"^(?:namespace ([\w:]+) \{|(?:class|struct) (\w+)(?: final)?(?: :[^;{]*)? \{)", re.M)
+    for path in sources(root, ["core", "gpu", "plugins", "editor"], (".h", ".cuh")):
+        namespace = ""
+        for match in opening.finditer(strip_code(open(os.path.join(root, path), encoding="utf-8").read())):
+            namespace = match.group(1) or namespace
+            if match.group(2) and "SPIN_ISA" not in namespace:  # one body per instruction set, by intention
+                places.setdefault(f"{namespace}::{match.group(2)}", []).append(path)
+    for name, paths in places.items():
+        if len(paths) > 1:
+            problems.append(f"{name} is defined in {' and '.join(paths)}; types of one namespace need names of their own")
+
+
 def check_headers(root, problems):
     for path in sources(root, ["core", "gpu", "plugins", "editor", "tests", "resources", "translations"], HEADED):
         if "__pycache__" in path:
@@ -178,6 +193,7 @@ def main():
     root = sys.argv[1]
     problems = []
     file_sizes, function_sizes = check_sources(root, problems)
+    check_names(root, problems)
     check_headers(root, problems)
     check_unfinished(root, problems)
     print(f"{len(file_sizes)} files, median {statistics.median(file_sizes.values()):.0f} lines, 95 % {percentile(file_sizes.values(), 0.95)}, "

@@ -150,7 +150,7 @@ TEST(ImportCodec, RequestCarriesThePaintedLayer) {
   TiledRaster<std::uint8_t> types(130, 70, 255);
   types.set(129, 69, 5);
   types.set(0, 0, 2);
-  ImportRequest request{ImportTask::WriteLayer, "/a/b.png", {}, types, *someTerrain().terrain};
+  HelperRequest request{ImportTask::WriteLayer, "/a/b.png", {}, types, *someTerrain().terrain};
   request.options.epsg = 31287;
   const std::vector<char> bytes = encodeRequest(request);
   const auto after = decodeRequest(bytes.data(), bytes.size());
