@@ -82,6 +82,8 @@ GlSurface::GlSurface(QWidget* parent) : QOpenGLWidget(parent) {
 }
 
 GlSurface::~GlSurface() {
+  // The base class destroys the context, when nothing of this class is left to answer its last signal.
+  if (context()) disconnect(context(), nullptr, this, nullptr);
   releaseGl();
 }
 
