@@ -41,7 +41,7 @@ if(SPIN_SANITIZE)
   set(SPIN_TEST_PATIENCE 5)
   set(tools "${PROJECT_SOURCE_DIR}/resources/tools")
   list(APPEND SPIN_TEST_ENVIRONMENT
-    "ASAN_OPTIONS=strict_string_checks=1:check_initialization_order=1" "UBSAN_OPTIONS=print_stacktrace=1"
+    "ASAN_OPTIONS=check_initialization_order=1" "UBSAN_OPTIONS=print_stacktrace=1"
     "LSAN_OPTIONS=suppressions=${tools}/lsan.supp:print_suppressions=0" "TSAN_OPTIONS=suppressions=${tools}/tsan.supp:second_deadlock_stack=1")
 endif()
 
