@@ -610,6 +610,90 @@
         <source>Falling snow and the cover it lays.</source>
         <translation>Padající sníh a pokrývka, kterou tvoří.</translation>
     </message>
+    <message>
+        <source>Particles, PLY</source>
+        <translation>Částice, PLY</translation>
+    </message>
+    <message>
+        <source>Particles, VTP and PVD</source>
+        <translation>Částice, VTP a PVD</translation>
+    </message>
+    <message>
+        <source>Snow cover of the terrain, GeoTIFF</source>
+        <translation>Sněhová pokrývka terénu, GeoTIFF</translation>
+    </message>
+    <message>
+        <source>PNG, 8 bit</source>
+        <translation>PNG, 8 bitů</translation>
+    </message>
+    <message>
+        <source>PNG, 16 bit</source>
+        <translation>PNG, 16 bitů</translation>
+    </message>
+    <message>
+        <source>OpenEXR, linear, 32 bit</source>
+        <translation>OpenEXR, lineární, 32 bitů</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formát</translation>
+    </message>
+    <message>
+        <source>Meshes</source>
+        <translation>Sítě</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Trojúhelníky</translation>
+    </message>
+    <message>
+        <source>Instances</source>
+        <translation>Instance</translation>
+    </message>
+    <message>
+        <source>Materials</source>
+        <translation>Materiály</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Textury</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Velikost</translation>
+    </message>
+    <message>
+        <source>Lowest point</source>
+        <translation>Nejnižší bod</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Jednotka</translation>
+    </message>
+    <message>
+        <source>West, south</source>
+        <translation>Západ, jih</translation>
+    </message>
+    <message>
+        <source>East, north</source>
+        <translation>Východ, sever</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Výšky</translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation>Bez dat</translation>
+    </message>
+    <message>
+        <source>Coordinate system</source>
+        <translation>Souřadnicový systém</translation>
+    </message>
+    <message>
+        <source>Credit</source>
+        <translation>Zdroj dat</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>
@@ -1310,6 +1394,19 @@
     </message>
 </context>
 <context>
+    <name>spin::PictureView</name>
+    <message>
+        <source>There is no screen here. Everything but the picture works.</source>
+        <translation>Není zde obrazovka. Kromě obrazu vše funguje.</translation>
+    </message>
+    <message>
+        <source>The scene cannot be drawn here. Everything else works.
+%1</source>
+        <translation>Scénu zde nelze vykreslit. Vše ostatní funguje.
+%1</translation>
+    </message>
+</context>
+<context>
     <name>spin::PropertyPanel</name>
     <message>
         <source>Nothing is selected</source>
@@ -1511,10 +1608,6 @@
 </context>
 <context>
     <name>spin::Viewport</name>
-    <message>
-        <source>No OpenGL 4.5 here, so the scene cannot be drawn. Everything else works.</source>
-        <translation>Není zde OpenGL 4.5, scénu tedy nelze vykreslit. Vše ostatní funguje.</translation>
-    </message>
     <message>
         <source>Camera view</source>
         <translation>Pohled kamery</translation>

@@ -610,6 +610,90 @@
         <source>Falling snow and the cover it lays.</source>
         <translation>降雪及其形成的积雪。</translation>
     </message>
+    <message>
+        <source>Particles, PLY</source>
+        <translation>粒子，PLY</translation>
+    </message>
+    <message>
+        <source>Particles, VTP and PVD</source>
+        <translation>粒子，VTP 和 PVD</translation>
+    </message>
+    <message>
+        <source>Snow cover of the terrain, GeoTIFF</source>
+        <translation>地形积雪，GeoTIFF</translation>
+    </message>
+    <message>
+        <source>PNG, 8 bit</source>
+        <translation>PNG，8 位</translation>
+    </message>
+    <message>
+        <source>PNG, 16 bit</source>
+        <translation>PNG，16 位</translation>
+    </message>
+    <message>
+        <source>OpenEXR, linear, 32 bit</source>
+        <translation>OpenEXR，线性，32 位</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>Meshes</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>Instances</source>
+        <translation>实例</translation>
+    </message>
+    <message>
+        <source>Materials</source>
+        <translation>材质</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>纹理</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>Lowest point</source>
+        <translation>最低点</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>West, south</source>
+        <translation>西，南</translation>
+    </message>
+    <message>
+        <source>East, north</source>
+        <translation>东，北</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>高程</translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation>无数据</translation>
+    </message>
+    <message>
+        <source>Coordinate system</source>
+        <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>Credit</source>
+        <translation>数据来源</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>
@@ -1308,6 +1392,19 @@
     </message>
 </context>
 <context>
+    <name>spin::PictureView</name>
+    <message>
+        <source>There is no screen here. Everything but the picture works.</source>
+        <translation>此处没有屏幕。除画面外其他功能均可使用。</translation>
+    </message>
+    <message>
+        <source>The scene cannot be drawn here. Everything else works.
+%1</source>
+        <translation>此处无法绘制场景。其他功能均可使用。
+%1</translation>
+    </message>
+</context>
+<context>
     <name>spin::PropertyPanel</name>
     <message>
         <source>Nothing is selected</source>
@@ -1509,10 +1606,6 @@
 </context>
 <context>
     <name>spin::Viewport</name>
-    <message>
-        <source>No OpenGL 4.5 here, so the scene cannot be drawn. Everything else works.</source>
-        <translation>此处没有 OpenGL 4.5，无法绘制场景。其他功能均可使用。</translation>
-    </message>
     <message>
         <source>Camera view</source>
         <translation>摄像机视图</translation>

@@ -4,7 +4,7 @@
 # Takes the strings of the sources into the translation files.
 #   translations/update.sh          updates translations/spindrift_*.ts
 #   translations/update.sh --check  changes nothing; fails if a string is new, gone or not translated
-# Texts of the property tables are marked SPIN_TR("..."); they are gathered under the context "Properties".
+# Texts of the property tables and the plugins are marked SPIN_TR("..."); they are gathered under the context "Properties".
 set -eu
 cd "$(dirname "$0")/.."
 lupdate=${LUPDATE:-/usr/lib/qt6/bin/lupdate}
@@ -17,7 +17,7 @@ perl -0777 -ne 'while (/SPIN_TR\(\s*((?:"(?:[^"\\]|\\.)*"\s*)+)\)/g) {
     $text =~ s/"\s+"//g;
     $text =~ s/\s+$//;
     print "const char* text$. = QT_TRANSLATE_NOOP(\"Properties\", $text);\n";
-  }' $(find core -name '*.cpp' | LC_ALL=C sort) > "$work/sources/properties.cpp"
+  }' $( (find core -name '*.cpp'; find plugins -name '*.cpp' -o -name '*.h') | LC_ALL=C sort) > "$work/sources/properties.cpp"
 
 status=0
 for file in translations/spindrift_*.ts; do

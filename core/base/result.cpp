@@ -9,6 +9,7 @@ std::string Error::text() const {
   if (!where.empty()) line += " (" + where + ")";
   if (!why.empty()) line += ": " + why;
   if (!advice.empty()) line += ". " + advice;
+  if (!more.empty()) line += "\n" + more;
   return line;
 }
 

@@ -22,12 +22,13 @@ enum class ErrorKind {
 /// What went wrong, where, why, and what the user can do about it. Plain sentences, no trailing full stop.
 struct Error {
   ErrorKind kind = ErrorKind::Failed;
-  std::string what;    ///< "The terrain could not be read"
-  std::string where;   ///< file, node id or property; may be empty
-  std::string why;     ///< "the file ends after 12 of 516 rows"
-  std::string advice;  ///< "Export the raster again"; may be empty
+  std::string what;       ///< "The terrain could not be read"
+  std::string where;      ///< file, node id or property; may be empty
+  std::string why;        ///< "the file ends after 12 of 516 rows"
+  std::string advice;     ///< "Export the raster again"; may be empty
+  std::string more = {};  ///< further problems of the same input, a line each; mostly empty
 
-  /// One line: "what (where): why. advice."
+  /// One line: "what (where): why. advice."; what more there is follows in lines of its own.
   std::string text() const;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -53,6 +54,8 @@ class TiledRaster {
     TilePointer& tile = m_tiles[tileIndex(i, j)];
     if (same((*tile)[inTile(i, j)], value)) return;
     if (tile.use_count() > 1) tile = std::make_shared<Tile>(*tile);
+    // The last other holder may have been another thread, which has finished reading by now.
+    std::atomic_thread_fence(std::memory_order_acquire);
     const_cast<Tile&>(*tile)[inTile(i, j)] = value;
   }
   friend bool operator==(const TiledRaster& a, const TiledRaster& b) {

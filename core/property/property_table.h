@@ -10,10 +10,8 @@
 #include <type_traits>
 
 #include "core/base/result.h"
+#include "core/property/text_mark.h"
 #include "core/property/value.h"
-
-/// Marks a string for translation (lupdate reads it; the text itself is the key). Context: "Properties".
-#define SPIN_TR(text) text
 
 namespace spin {
 

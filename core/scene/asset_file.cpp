@@ -20,12 +20,6 @@ void addStamp(const QFileInfo& info, std::string& stamp) {
                        info.lastModified().toMSecsSinceEpoch());
 }
 
-template <class T>
-void addVector(Hasher& hasher, const std::vector<T>& values) {
-  hasher.add(static_cast<std::uint64_t>(values.size()));
-  if (!values.empty()) hasher.addBytes(values.data(), values.size() * sizeof(T));
-}
-
 }  // namespace
 
 Result<FoundAsset> findAsset(const std::string& sceneFile, const std::string& assetPath,
@@ -64,29 +58,6 @@ std::string stampOf(const std::string& path, const ImportOptions& options) {
   if (companions.size() > kMaxCompanions) return stamp;
   for (const QFileInfo& companion : companions) addStamp(companion, stamp);
   return stamp;
-}
-
-Hash128 contentHash(const TerrainData& terrain) {
-  Hasher hasher;
-  const Raster<float>& r = terrain.heights;
-  hasher.add(r.width).add(r.height).add(r.originX).add(r.originY).add(r.cellSize);
-  addVector(hasher, r.values);
-  return hasher.digest();
-}
-
-Hash128 contentHash(const ModelData& model) {
-  Hasher hasher;
-  for (const Mesh& mesh : model.meshes) {
-    addVector(hasher, mesh.positions);
-    addVector(hasher, mesh.indices);
-  }
-  for (const MeshInstance& instance : model.instances) {
-    hasher.add(instance.mesh);
-    for (const double value : instance.transform.linear) hasher.add(value);
-    const Vec3d& t = instance.transform.translation;
-    hasher.add(t.x).add(t.y).add(t.z);
-  }
-  return hasher.digest();
 }
 
 }  // namespace spin

@@ -23,8 +23,4 @@ AssetLibrary::Issue movedRemark(const std::string& node, const std::string& asse
 /// the options change; empty where the file cannot be looked at.
 std::string stampOf(const std::string& path, const ImportOptions& options);
 
-/// Content that the simulation sees: heights and where they lie; triangles and where they stand.
-Hash128 contentHash(const TerrainData& terrain);
-Hash128 contentHash(const ModelData& model);
-
 }  // namespace spin

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 
+#include "core/fields/content_hash.h"
 #include "core/nodes/ground_nodes.h"
 #include "core/nodes/terrain_node.h"
 #include "core/scene/asset_file.h"

@@ -19,6 +19,8 @@ using Kind = JsonValue::Kind;
 
 constexpr std::size_t kMaxNodes = 10'000;
 constexpr std::size_t kMaxNameBytes = 256;
+/// So many problems of one file are told at once.
+constexpr std::size_t kMaxProblems = 20;
 constexpr std::array<std::string_view, 6> kRootKeys{"format",    "schema", "min_reader",
                                                     "generator", "nodes",  "asset_hashes"};
 constexpr std::array<std::string_view, 5> kNodeKeys{"id", "type", "name", "enabled", "properties"};
@@ -43,7 +45,8 @@ Result<int> headNumber(const JsonValue& root, const char* key, const std::string
   return static_cast<int>(json->number);
 }
 
-/// Reads one file. With keepUnknown (a newer minor version) what it does not know goes to the extras.
+/// Reads one file. With keepUnknown (a newer minor version) what it does not know goes to the extras. A
+/// problem within a node does not hide those of the others: all are told at once.
 class SceneReader {
  public:
   SceneReader(std::string name, bool keepUnknown) : m_name(std::move(name)), m_keepUnknown(keepUnknown) {}
@@ -51,17 +54,21 @@ class SceneReader {
   Status read(const JsonValue& root) {
     for (const JsonValue::Member& member : root.members) {
       if (contains(kRootKeys, member.key)) continue;
-      if (!m_keepUnknown) return unknownKey(member.key, kRootKeys, placeOf(m_name, member.value));
-      m_keptRoot.set(member.key, member.value);
+      if (m_keepUnknown)
+        m_keptRoot.set(member.key, member.value);
+      else
+        note(unknownKey(member.key, kRootKeys, placeOf(m_name, member.value)));
     }
     const JsonValue* nodes = root.find("nodes");
-    if (!nodes || !nodes->is(Kind::Array))
-      return badInput(kUnusable, nodes ? placeOf(m_name, *nodes) : m_name, "nodes is missing or no array");
+    if (!nodes || !nodes->is(Kind::Array)) {
+      note(badInput(kUnusable, nodes ? placeOf(m_name, *nodes) : m_name, "nodes is missing or no array"));
+      return result();
+    }
     if (nodes->items.size() > kMaxNodes)
       return badInput(kUnusable, m_name, fmt::format("more than {} nodes", kMaxNodes));
-    for (std::size_t i = 0; i < nodes->items.size(); ++i)
-      if (Status status = readNode(nodes->items[i], i); !status) return status;
-    return readHashes(root.find("asset_hashes"));
+    for (std::size_t i = 0; i < nodes->items.size(); ++i) note(readNode(nodes->items[i], i));
+    note(readHashes(root.find("asset_hashes")));
+    return result();
   }
 
   LoadedScene take() {
@@ -74,6 +81,25 @@ class SceneReader {
   }
 
  private:
+  void note(const Status& status) {
+    if (!status) m_problems.push_back(status.error());
+  }
+
+  /// One error for all: the first one, with the others as lines below it.
+  Status result() const {
+    if (m_problems.empty()) return {};
+    Error error = m_problems.front();
+    for (std::size_t i = 1; i < std::min(m_problems.size(), kMaxProblems); ++i) {
+      const Error& other = m_problems[i];
+      if (i > 1) error.more += "\n";
+      error.more += fmt::format("{}: {}", other.where, other.why);
+      if (!other.advice.empty()) error.more += ". " + other.advice;
+    }
+    if (m_problems.size() > kMaxProblems)
+      error.more += fmt::format("\nand {} more problems", m_problems.size() - kMaxProblems);
+    return error;
+  }
+
   Status readNode(const JsonValue& json, std::size_t index) {
     const std::string place = placeOf(m_name, json);
     if (!json.is(Kind::Object))
@@ -90,9 +116,8 @@ class SceneReader {
     if (!nodeType && m_keepUnknown) return keepNode(json, index);
     if (!nodeType) return unknownNodeType(type->text, placeOf(where, *type));
     SceneNode node = makeNode(*nodeType, id->text, nodeType->label);
-    if (Status status = readMembers(node, json, where); !status) return status;
-    if (const JsonValue* properties = json.find("properties"))
-      if (Status status = readProperties(node, *properties, where); !status) return status;
+    readMembers(node, json, where);
+    if (const JsonValue* properties = json.find("properties")) readProperties(node, *properties, where);
     Status added = m_loaded.scene.append(std::move(node));
     if (added) return added;
     Error error = added.error();
@@ -117,38 +142,40 @@ class SceneReader {
     return *kept.find(part);
   }
 
-  Status readMembers(SceneNode& node, const JsonValue& json, const std::string& where) {
+  void readMembers(SceneNode& node, const JsonValue& json, const std::string& where) {
     for (const JsonValue::Member& member : json.members) {
       if (contains(kNodeKeys, member.key)) continue;
-      if (!m_keepUnknown) return unknownKey(member.key, kNodeKeys, placeOf(where, member.value));
-      keptOf(node.id, "members").set(member.key, member.value);
+      if (m_keepUnknown)
+        keptOf(node.id, "members").set(member.key, member.value);
+      else
+        note(unknownKey(member.key, kNodeKeys, placeOf(where, member.value)));
     }
     if (const JsonValue* name = json.find("name")) {
       if (!name->is(Kind::Text) || name->text.size() > kMaxNameBytes || !isCleanText(name->text))
-        return badInput(kUnusable, placeOf(where, *name),
-                        fmt::format("the name is no text of {} bytes at most", kMaxNameBytes));
-      node.name = name->text;
+        note(badInput(kUnusable, placeOf(where, *name),
+                      fmt::format("the name is no text of {} bytes at most", kMaxNameBytes)));
+      else
+        node.name = name->text;
     }
     if (const JsonValue* enabled = json.find("enabled")) {
-      if (!enabled->is(Kind::Bool))
-        return badInput(kUnusable, placeOf(where, *enabled), "enabled is not true or false");
-      node.enabled = enabled->boolean;
+      if (enabled->is(Kind::Bool))
+        node.enabled = enabled->boolean;
+      else
+        note(badInput(kUnusable, placeOf(where, *enabled), "enabled is not true or false"));
     }
-    return {};
   }
 
-  Status readProperties(SceneNode& node, const JsonValue& json, const std::string& where) {
-    if (!json.is(Kind::Object)) return badInput(kUnusable, placeOf(where, json), "properties is no object");
+  void readProperties(SceneNode& node, const JsonValue& json, const std::string& where) {
+    if (!json.is(Kind::Object))
+      return note(badInput(kUnusable, placeOf(where, json), "properties is no object"));
     for (const JsonValue::Member& member : json.members) {
-      const PropertyInfo* property = node.type->find(member.key);
-      if (!property && !m_keepUnknown)
-        return unknownProperty(*node.type, member.key, placeOf(where, member.value));
-      if (!property)
+      if (const PropertyInfo* property = node.type->find(member.key))
+        note(readProperty(node, *property, member.value, where));
+      else if (m_keepUnknown)
         keptOf(node.id, "properties").set(member.key, member.value);
-      else if (Status status = readProperty(node, *property, member.value, where); !status)
-        return status;
+      else
+        note(unknownProperty(*node.type, member.key, placeOf(where, member.value)));
     }
-    return {};
   }
 
   static Status readProperty(SceneNode& node, const PropertyInfo& property, const JsonValue& json,
@@ -197,6 +224,7 @@ class SceneReader {
   JsonValue m_keptRoot = JsonValue::object();
   JsonValue m_keptNodes = JsonValue::object();
   JsonValue m_others = JsonValue::array();
+  std::vector<Error> m_problems;
 };
 
 }  // namespace

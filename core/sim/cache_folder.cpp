@@ -111,12 +111,13 @@ bool CacheFolder::seenBefore(const std::string& name, std::int64_t written) {
 std::vector<CacheFolder::Entry> CacheFolder::newFiles(Kind kind) {
   std::vector<Entry> entries;
   if (!active()) return entries;
+  std::vector<std::string> problems;
   const std::string folder = fmt::format("{}/{}", m_path, folderOf(kind));
   for (const Listed& file : list(folder, kindName(kind))) {
     if (seenBefore(file.name, file.time.time_since_epoch().count())) continue;
     const Result<CheckedFileHeader> header = readCheckedHeader(folder + "/" + file.name);
     if (!header) {
-      logWarning(header.error().text());
+      problems.push_back(header.error().text());
       continue;
     }
     const bool fits =
@@ -126,10 +127,15 @@ std::vector<CacheFolder::Entry> CacheFolder::newFiles(Kind kind) {
     if (whole)
       entries.push_back({file.frame, file.key, file.bytes, header->shared});
     else
-      logWarning(fmt::format(
+      problems.push_back(fmt::format(
           "The cache file {}/{} cannot be used: {}", folder, file.name,
           fits ? "data that it shares is damaged or missing" : "its content is not what its name says"));
   }
+  // A folder of another version is one message, not hundreds.
+  if (!problems.empty()) logWarning(problems.front());
+  if (problems.size() > 1)
+    logWarning(fmt::format("{} more files in {} cannot be used either; what they held is computed again",
+                           problems.size() - 1, folder));
   return entries;
 }
 

@@ -2,18 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sim/snapshot.h"
 
+#include "core/fields/content_hash.h"
 #include "core/fields/terrain_surface.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
 
 namespace spin {
 namespace {
-
-template <class T>
-void addVector(Hasher& hasher, const std::vector<T>& values) {
-  hasher.add(static_cast<std::uint64_t>(values.size()));
-  if (!values.empty()) hasher.addBytes(values.data(), values.size() * sizeof(T));
-}
 
 void addValue(Hasher& hasher, const Value& value) {
   hasher.add(static_cast<std::uint64_t>(value.index()));
@@ -41,25 +36,6 @@ void addPainted(Hasher& hasher, const PaintedLayer& painted) {
   hasher.add(static_cast<std::uint64_t>(painted.index()));
   if (const auto* types = std::get_if<TiledRaster<std::uint8_t>>(&painted)) addPainted(hasher, *types);
   if (const auto* reals = std::get_if<TiledRaster<float>>(&painted)) addPainted(hasher, *reals);
-}
-
-void addTerrain(Hasher& hasher, const TerrainData& terrain) {
-  const Raster<float>& r = terrain.heights;
-  hasher.add(r.width).add(r.height).add(r.originX).add(r.originY).add(r.cellSize);
-  addVector(hasher, r.values);
-}
-
-void addModel(Hasher& hasher, const ModelData& model) {
-  for (const Mesh& mesh : model.meshes) {
-    addVector(hasher, mesh.positions);
-    addVector(hasher, mesh.indices);
-  }
-  for (const MeshInstance& instance : model.instances) {
-    hasher.add(instance.mesh);
-    for (const double value : instance.transform.linear) hasher.add(value);
-    const Vec3d& t = instance.transform.translation;
-    hasher.add(t.x).add(t.y).add(t.z);
-  }
 }
 
 }  // namespace
@@ -97,9 +73,9 @@ void SceneSnapshot::hashNode(const SceneNode& node, double filmTime, Hasher& has
   if (asset != assetHashes.end())
     hasher.add(asset->second);
   else if (node.as<TerrainNode>() && terrain)
-    addTerrain(hasher, *terrain);
+    hasher.add(contentHash(*terrain));
   else if (model != models.end() && model->second)
-    addModel(hasher, *model->second);
+    hasher.add(contentHash(*model->second));
   addPainted(hasher, node.painted);
 }
 

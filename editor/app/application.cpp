@@ -15,7 +15,6 @@
 #include "editor/app/main_window.h"
 #include "editor/app/tool_icons.h"
 #include "editor/app/ui_measurement.h"
-#include "editor/viewport/gl_surface.h"
 #include "editor/viewport/viewport.h"
 #include "plugins/host/plugin_host.h"
 
@@ -123,7 +122,6 @@ int runEditor(int argc, char** argv) {
     logError("There is no display for the editor. Start it in a desktop session, or use spindrift-cli");
     return exitCode(ErrorKind::Usage);
   }
-  setDefaultGlFormat();
   QApplication application(argc, argv);
   describe(application);
   QApplication::setWindowIcon(programIcon());

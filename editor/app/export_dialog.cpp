@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QCloseEvent>
+#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
@@ -58,11 +59,14 @@ QString bytesText(double bytes) {
 }
 
 std::vector<ExportFormat> exportFormats(const PluginHost& host) {
+  const auto words = [](const std::string& label) {
+    return QCoreApplication::translate("Properties", label.c_str());
+  };
   std::vector<ExportFormat> formats;
   for (const ImageFormat& format : host.imageFormats())
-    formats.push_back({QString::fromStdString(format.id), QString::fromStdString(format.label), true});
+    formats.push_back({QString::fromStdString(format.id), words(format.label), true});
   for (const std::string& id : host.exporterIds())
-    formats.push_back({QString::fromStdString(id), QString::fromStdString(host.exporterLabel(id)), false});
+    formats.push_back({QString::fromStdString(id), words(host.exporterLabel(id)), false});
   return formats;
 }
 

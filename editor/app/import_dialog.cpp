@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
@@ -163,7 +164,8 @@ void ImportDialog::showSummary(const ImportSummary& summary) {
   m_table->setRowCount(static_cast<int>(summary.lines.size()));
   for (int row = 0; row < m_table->rowCount(); ++row) {
     const SummaryLine& line = summary.lines[static_cast<std::size_t>(row)];
-    m_table->setItem(row, 0, new QTableWidgetItem(QString::fromStdString(line.label)));
+    m_table->setItem(row, 0,
+                     new QTableWidgetItem(QCoreApplication::translate("Properties", line.label.c_str())));
     m_table->setItem(row, 1, new QTableWidgetItem(QString::fromStdString(line.value)));
   }
   m_table->resizeRowsToContents();

@@ -11,8 +11,8 @@
 
 #include "editor/app/main_window.h"
 #include "editor/timeline/timeline_panel.h"
-#include "editor/viewport/gl_surface.h"
 #include "editor/viewport/orbit_camera.h"
+#include "editor/viewport/picture_view.h"
 #include "editor/viewport/viewport.h"
 
 namespace spin {
@@ -126,12 +126,11 @@ bool UiMeasurement::save(bool ok) const {
         {QStringLiteral("picture_95_ms"), percentile(drawn, 0.95) * 1e3},
     });
   }
-  const GlSurface* gl = m_window->viewport().gl();
   const QSize size = m_window->viewport().size();
   const QJsonObject report{{QStringLiteral("ok"), ok},
                            {QStringLiteral("width_px"), size.width()},
                            {QStringLiteral("height_px"), size.height()},
-                           {QStringLiteral("renderer"), gl ? gl->rendererName() : QString()},
+                           {QStringLiteral("renderer"), m_window->viewport().surface()->rendererName()},
                            {QStringLiteral("device"), m_window->simulation().deviceName()},
                            {QStringLiteral("phases"), phases}};
   QFile file(m_reportFile);

@@ -6,6 +6,11 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+#include <vector>
+
 namespace spin {
 
 struct EglContext::State {
@@ -22,23 +27,45 @@ struct EglContext::State {
 
 namespace {
 
+constexpr EGLint kMaxDevices = 16;
+
 Error eglError(const char* step) {
   return {ErrorKind::Failed, "No OpenGL context could be made", "EGL",
           fmt::format("{} failed with error 0x{:04x}", step, eglGetError()),
           "Install Mesa's libegl-mesa0 and libgl1-mesa-dri; OpenGL 4.5 is needed"};
 }
 
-}  // namespace
+bool has(const char* list, const char* extension) {
+  return list && std::strstr(list, extension) != nullptr;
+}
 
-Result<std::unique_ptr<EglContext>> EglContext::create() {
-  std::unique_ptr<EglContext> made(new EglContext);
-  made->m_state = std::make_unique<State>();
-  State& state = *made->m_state;
-  const EGLDisplay display =
-      eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+bool softwareWanted() {
+  const char* value = std::getenv("LIBGL_ALWAYS_SOFTWARE");
+  return value && (std::strcmp(value, "1") == 0 || std::strcmp(value, "true") == 0);
+}
+
+/// Displays of the graphics cards, then the one without a device, where Mesa chooses. The first alone would
+/// miss machines without a card, the last alone cards whose driver is not Mesa's.
+std::vector<EGLDisplay> displays() {
+  std::vector<EGLDisplay> found;
+  const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+  if (!softwareWanted() && has(client, "EGL_EXT_device_enumeration") &&
+      has(client, "EGL_EXT_platform_device")) {
+    EGLDeviceEXT devices[kMaxDevices] = {};
+    EGLint count = 0;
+    if (eglQueryDevicesEXT(kMaxDevices, devices, &count) == EGL_FALSE) count = 0;
+    for (EGLint k = 0; k < count; ++k) {
+      if (has(eglQueryDeviceStringEXT(devices[k], EGL_EXTENSIONS), "EGL_MESA_device_software")) continue;
+      found.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[k], nullptr));
+    }
+  }
+  found.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+  return found;
+}
+
+Status makeCurrentOn(EGLDisplay display, EGLContext& context) {
   if (display == EGL_NO_DISPLAY) return eglError("eglGetPlatformDisplay");
   if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE) return eglError("eglInitialize");
-  state.display = display;
   if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) return eglError("eglBindAPI");
   const EGLint configWish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
   EGLConfig config = nullptr;
@@ -52,11 +79,27 @@ Result<std::unique_ptr<EglContext>> EglContext::create() {
                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                 EGL_NONE};
-  state.context = eglCreateContext(display, config, EGL_NO_CONTEXT, contextWish);
-  if (state.context == EGL_NO_CONTEXT) return eglError("eglCreateContext");
-  if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, state.context) == EGL_FALSE)
-    return eglError("eglMakeCurrent");
-  return made;
+  context = eglCreateContext(display, config, EGL_NO_CONTEXT, contextWish);
+  if (context == EGL_NO_CONTEXT) return eglError("eglCreateContext");
+  if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE) return {};
+  const Error error = eglError("eglMakeCurrent");
+  eglDestroyContext(display, std::exchange(context, EGL_NO_CONTEXT));
+  return error;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<EglContext>> EglContext::create() {
+  std::unique_ptr<EglContext> made(new EglContext);
+  made->m_state = std::make_unique<State>();
+  Status status;
+  for (const EGLDisplay display : displays()) {
+    status = makeCurrentOn(display, made->m_state->context);
+    if (!status) continue;
+    made->m_state->display = display;
+    return made;
+  }
+  return status.error();
 }
 
 EglContext::~EglContext() = default;

@@ -9,7 +9,8 @@
 
 namespace spin {
 
-/// An OpenGL 4.5 core context without a window (EGL surfaceless), current on the thread that made it.
+/// An OpenGL 4.5 core context without a window (EGL), current on the thread that made it and ended there: on
+/// the first graphics card, else in software. LIBGL_ALWAYS_SOFTWARE=1 asks for software.
 class EglContext {
  public:
   static Result<std::unique_ptr<EglContext>> create();

@@ -6,8 +6,8 @@
 
 namespace spin {
 
-/// Sets the state that the renderer expects and puts back, at the end, what the context's other users rely
-/// on: QOpenGLWidget and its composition share the context.
+/// Sets the state that the renderer expects and puts back, at the end, what OpenGL starts with: whoever else
+/// uses the context relies on it.
 class GlStateGuard {
  public:
   GlStateGuard() {

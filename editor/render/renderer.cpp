@@ -54,7 +54,7 @@ struct Renderer::State {
   GlVertexArray screenArray;
   GlTexture noise;
   GlBuffer block;
-  RenderTarget display, linear, resolved;
+  RenderTarget display, smooth, linear, resolved;
   bool measuring = false;
   StageTimings timings;
 
@@ -246,15 +246,24 @@ void Renderer::draw(unsigned framebuffer, const RenderCamera& camera, double fil
   RenderOptions inner = options;
   inner.width = std::max(1, static_cast<int>(std::lround(scale * options.width)));
   inner.height = std::max(1, static_cast<int>(std::lround(scale * options.height)));
-  if (!st.display.prepare(inner.width, inner.height, GL_SRGB8_ALPHA8, 1)) return;
+  if (!st.display.prepare(inner.width, inner.height, GL_SRGB8_ALPHA8, inner.samples)) return;
   glEnable(GL_FRAMEBUFFER_SRGB);
+  glEnable(GL_MULTISAMPLE);
   st.drawPasses(st.display.framebuffer(), camera, filmTime, inner);
-  // With the conversion off the encoded bytes are copied as they are.
-  glDisable(GL_FRAMEBUFFER_SRGB);
   const bool same = inner.width == options.width && inner.height == options.height;
   const RowRange from = rowsOf(inner), to = rowsOf(options);
-  glBlitNamedFramebuffer(st.display.framebuffer(), framebuffer, 0, from.begin, inner.width, from.end, 0,
-                         to.begin, options.width, to.end, GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
+  GLuint drawn = st.display.framebuffer();
+  if (inner.samples > 1) {
+    // OpenGL does not enlarge and resolve in one go. Light is averaged, not its encoding.
+    if (!st.smooth.prepare(inner.width, inner.height, GL_SRGB8_ALPHA8, 1)) return;
+    glBlitNamedFramebuffer(drawn, st.smooth.framebuffer(), 0, from.begin, inner.width, from.end, 0,
+                           from.begin, inner.width, from.end, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    drawn = st.smooth.framebuffer();
+  }
+  // With the conversion off the encoded bytes are copied as they are.
+  glDisable(GL_FRAMEBUFFER_SRGB);
+  glBlitNamedFramebuffer(drawn, framebuffer, 0, from.begin, inner.width, from.end, 0, to.begin, options.width,
+                         to.end, GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
 }
 
 Result<std::vector<float>> Renderer::drawLinear(const RenderCamera& camera, double filmTime,

@@ -32,11 +32,12 @@ struct RenderOptions {
   bool showSnow = true;
   GroundDisplay ground = GroundDisplay::Natural;
   std::string selectedNode;  ///< outlined; empty = none
+  /// Share of the height to draw, from the bottom; the rest of the target is left as it is.
+  Vec2d band{0.0, 1.0};
   /// < 1 draws coarser terrain, fewer flakes and, in draw(), fewer pixels that are enlarged (while the user
   /// moves the view).
-  Vec2d band{0.0,
-             1.0};  ///< share of the height to draw, from the bottom; the rest of the target is left as it is
   double quality = 1.0;
+  int samples = 1;  ///< a pixel, in draw(); clamped to what the driver has
 };
 
 /// Draws a snapshot and a frame into the bound framebuffer of the current OpenGL 4.5 core context. No

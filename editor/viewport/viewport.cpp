@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "editor/viewport/viewport.h"
 
-#include <QLabel>
 #include <QPainter>
 #include <QVBoxLayout>
 
-#include "editor/viewport/gl_surface.h"
 #include "editor/viewport/overlay_painter.h"
+#include "editor/viewport/picture_view.h"
 #include "editor/viewport/scene_picker.h"
 
 namespace spin {
@@ -17,19 +16,10 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
   setAcceptDrops(false);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  if (openGlAvailable()) {
-    m_gl = new GlSurface(this);
-    m_surface = m_gl;
-    m_gl->setOverlay([this](QPainter& painter) { paintOverlay(painter); });
-    connect(m_gl, &GlSurface::drawn, this, &Viewport::drawn);
-    connect(m_gl, &GlSurface::failed, this, &Viewport::failed);
-  } else {
-    auto* notice = new QLabel(this);
-    notice->setAlignment(Qt::AlignCenter);
-    notice->setWordWrap(true);
-    notice->setText(tr("No OpenGL 4.5 here, so the scene cannot be drawn. Everything else works."));
-    m_surface = notice;
-  }
+  m_surface = new PictureView(this);
+  m_surface->setOverlay([this](QPainter& painter) { paintOverlay(painter); });
+  connect(m_surface, &PictureView::drawn, this, &Viewport::drawn);
+  connect(m_surface, &PictureView::failed, this, &Viewport::failed);
   m_surface->setMouseTracking(true);
   m_surface->setFocusPolicy(Qt::StrongFocus);
   m_surface->installEventFilter(this);
@@ -44,12 +34,12 @@ Viewport::~Viewport() = default;
 
 void Viewport::setScene(SnapshotPointer scene) {
   m_scene = std::move(scene);
-  if (m_gl) m_gl->setScene(m_scene);
+  m_surface->setScene(m_scene);
   refresh();
 }
 
 void Viewport::setFrame(FramePointer frame) {
-  if (m_gl) m_gl->setFrame(std::move(frame));
+  m_surface->setFrame(std::move(frame));
 }
 
 void Viewport::setFilmTime(double seconds) {
@@ -169,16 +159,16 @@ void Viewport::leaveLookThrough() {
 }
 
 void Viewport::cameraMoved() {
-  if (m_gl) m_gl->setMoving(true);
+  m_surface->setMoving(true);
   refresh();
 }
 
 void Viewport::refresh() {
-  if (m_gl) m_gl->setView(camera(), m_filmTime, m_options);
+  m_surface->setView(camera(), m_filmTime, m_options);
 }
 
 void Viewport::updateOverlay() {
-  if (m_gl) m_gl->updateOverlay();
+  m_surface->updateOverlay();
 }
 
 void Viewport::paintOverlay(QPainter& painter) const {

@@ -11,11 +11,11 @@
 
 namespace spin {
 
-class GlSurface;
+class PictureView;
 
 /// The view into the scene: camera, selection by click, gizmo and brush. It shows a snapshot and tells what
-/// the user wants to change; it changes nothing itself. Without OpenGL a notice takes the picture's place and
-/// everything else still works.
+/// the user wants to change; it changes nothing itself. Where nothing can be drawn a notice takes the
+/// picture's place and everything else still works.
 class Viewport : public QWidget {
   Q_OBJECT
  public:
@@ -52,9 +52,7 @@ class Viewport : public QWidget {
   ViewportContext context() const;
   const ModelGizmo& gizmo() const { return m_gizmo; }
   /// The widget that shows the picture and takes the pointer.
-  QWidget* surface() const { return m_surface; }
-  /// nullptr without OpenGL.
-  GlSurface* gl() const { return m_gl; }
+  PictureView* surface() const { return m_surface; }
 
  Q_SIGNALS:
   /// A click; the id is empty beside everything.
@@ -106,8 +104,7 @@ class Viewport : public QWidget {
   QPointF m_pressed;
   bool m_clicking = false;
   QString m_hintTitle, m_hintText;
-  QWidget* m_surface = nullptr;
-  GlSurface* m_gl = nullptr;
+  PictureView* m_surface = nullptr;
   QTimer m_flight;
   QElapsedTimer m_clock;
 };

@@ -5,7 +5,7 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
-#include "editor/viewport/gl_surface.h"
+#include "editor/viewport/picture_view.h"
 #include "editor/viewport/scene_picker.h"
 #include "editor/viewport/viewport.h"
 
@@ -80,12 +80,12 @@ bool Viewport::move(const QMouseEvent& event) {
   }
   if (m_gizmo.dragging()) {
     const bool snap = event.modifiers().testFlag(Qt::ControlModifier);
-    if (m_gl) m_gl->setMoving(true);
+    m_surface->setMoving(true);
     Q_EMIT placementEdited(m_gizmo.node(), m_gizmo.drag(context(), pixel, snap));
     return true;
   }
   if (m_brush.painting()) {
-    if (m_gl) m_gl->setMoving(true);
+    m_surface->setMoving(true);
     if (m_brush.drag(context(), pixel)) Q_EMIT layerPainted(m_brush.layer());
     updateOverlay();
     return true;
@@ -107,7 +107,7 @@ void Viewport::hover(Vec2d pixel) {
 
 bool Viewport::release(const QMouseEvent& event) {
   if (m_navigator.release(event)) {
-    if (m_gl) m_gl->setMoving(false);
+    m_surface->setMoving(false);
     return true;
   }
   if (event.button() != Qt::LeftButton) return false;
@@ -127,7 +127,7 @@ bool Viewport::release(const QMouseEvent& event) {
 void Viewport::endEdit() {
   m_gizmo.end();
   m_brush.end();
-  if (m_gl) m_gl->setMoving(false);
+  m_surface->setMoving(false);
   updateOverlay();
   Q_EMIT editFinished();
 }
@@ -136,7 +136,7 @@ bool Viewport::cancelEdit() {
   if (!m_gizmo.dragging() && !m_brush.painting()) return false;
   m_gizmo.end();
   m_brush.end();
-  if (m_gl) m_gl->setMoving(false);
+  m_surface->setMoving(false);
   updateOverlay();
   Q_EMIT editCancelled();
   return true;

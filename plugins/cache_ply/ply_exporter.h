@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/property/text_mark.h"
 #include "plugins/sdk/exporter.h"
 
 namespace spin {
@@ -11,7 +12,7 @@ namespace spin {
 class PlyExporter final : public CacheExporter {
  public:
   std::string id() const override { return "ply"; }
-  std::string label() const override { return "Particles, PLY"; }
+  std::string label() const override { return SPIN_TR("Particles, PLY"); }
   bool applies(const Frame& frame) const override;
   Status begin(const ExportContext& context) override;
   Status writeFrame(const Frame& frame) override;

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "core/property/text_mark.h"
 #include "plugins/sdk/exporter.h"
 
 namespace spin {
@@ -13,7 +14,7 @@ namespace spin {
 class VtpExporter final : public CacheExporter {
  public:
   std::string id() const override { return "vtp"; }
-  std::string label() const override { return "Particles, VTP and PVD"; }
+  std::string label() const override { return SPIN_TR("Particles, VTP and PVD"); }
   bool applies(const Frame& frame) const override;
   Status begin(const ExportContext& context) override;
   Status writeFrame(const Frame& frame) override;

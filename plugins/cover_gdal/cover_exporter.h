@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/property/text_mark.h"
 #include "plugins/sdk/exporter.h"
 
 namespace spin {
@@ -12,7 +13,7 @@ namespace spin {
 class CoverExporter final : public CacheExporter {
  public:
   std::string id() const override { return "cover_tif"; }
-  std::string label() const override { return "Snow cover of the terrain, GeoTIFF"; }
+  std::string label() const override { return SPIN_TR("Snow cover of the terrain, GeoTIFF"); }
   bool applies(const Frame& frame) const override;
   Status begin(const ExportContext& context) override;
   Status writeFrame(const Frame& frame) override;

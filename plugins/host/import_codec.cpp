@@ -90,6 +90,7 @@ void encode(ByteWriter& out, const Error& error) {
   out.put(error.where);
   out.put(error.why);
   out.put(error.advice);
+  out.put(error.more);
 }
 
 Error decodeError(ByteReader& in) {
@@ -101,6 +102,7 @@ Error decodeError(ByteReader& in) {
   error.where = in.getText();
   error.why = in.getText();
   error.advice = in.getText();
+  error.more = in.getText();
   return error;
 }
 

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/property/text_mark.h"
 #include "plugins/images_opencv/srgb_quantizer.h"
 #include "plugins/sdk/output_file.h"
 
@@ -64,9 +65,9 @@ ImagesOpencvPlugin::ImagesOpencvPlugin() {
 }
 
 std::vector<ImageFormat> ImagesOpencvPlugin::formats() const {
-  return {{"png8", "PNG, 8 bit", "png", false},
-          {"png16", "PNG, 16 bit", "png", false},
-          {"exr", "OpenEXR, linear, 32 bit", "exr", true}};
+  return {{"png8", SPIN_TR("PNG, 8 bit"), "png", false},
+          {"png16", SPIN_TR("PNG, 16 bit"), "png", false},
+          {"exr", SPIN_TR("OpenEXR, linear, 32 bit"), "exr", true}};
 }
 
 Status ImagesOpencvPlugin::write(const ImageFloat& image, const std::string& formatId,

@@ -12,6 +12,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include "core/property/text_mark.h"
 #include "plugins/model_assimp/model_assimp_plugin.h"
 #include "plugins/model_assimp/ply_check.h"
 #include "plugins/model_assimp/scene_converter.h"
@@ -79,16 +80,17 @@ std::vector<SummaryLine> summaryLines(const ModelData& model, const ModelFrame& 
   for (const Mesh& mesh : model.meshes) faces += mesh.indices.size() / 3;
   const Box3d box = model.bounds();
   const Vec3d size = box.size();
-  return {{"Format", extension},
-          {"Meshes", fmt::format("{}", model.meshes.size())},
-          {"Triangles", fmt::format("{}", faces)},
-          {"Instances", fmt::format("{} ({} triangles)", model.instances.size(), model.triangleCount())},
-          {"Materials", fmt::format("{}", model.materials.size())},
-          {"Textures", fmt::format("{}", model.textures.size())},
-          {"Size", fmt::format("{:.3f} x {:.3f} x {:.3f} m", size.x, size.y, size.z)},
-          {"Lowest point", fmt::format("{:.3f} m", box.min.z)},
-          {"Up axis", fmt::format("{}, {}", frame.yUp ? "y" : "z", frame.reason)},
-          {"Unit", fmt::format("{:g} m", frame.scale)}};
+  return {
+      {SPIN_TR("Format"), extension},
+      {SPIN_TR("Meshes"), fmt::format("{}", model.meshes.size())},
+      {SPIN_TR("Triangles"), fmt::format("{}", faces)},
+      {SPIN_TR("Instances"), fmt::format("{} ({} triangles)", model.instances.size(), model.triangleCount())},
+      {SPIN_TR("Materials"), fmt::format("{}", model.materials.size())},
+      {SPIN_TR("Textures"), fmt::format("{}", model.textures.size())},
+      {SPIN_TR("Size"), fmt::format("{:.3f} x {:.3f} x {:.3f} m", size.x, size.y, size.z)},
+      {SPIN_TR("Lowest point"), fmt::format("{:.3f} m", box.min.z)},
+      {SPIN_TR("Up axis"), fmt::format("{}, {}", frame.yUp ? "y" : "z", frame.reason)},
+      {SPIN_TR("Unit"), fmt::format("{:g} m", frame.scale)}};
 }
 
 Status checkOptions(const ImportOptions& options, const std::string& path) {

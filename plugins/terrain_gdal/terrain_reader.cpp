@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/property/text_mark.h"
 #include "plugins/sdk/file_name.h"
 #include "plugins/sdk/import_limits.h"
 #include "plugins/sdk/memory_budget.h"
@@ -85,17 +86,18 @@ std::vector<SummaryLine> summaryLines(const RasterSource& source, const RasterPl
   const double cells = static_cast<double>(source.width) * source.height;
   const GDALDriver* driver = source.dataset->GetDriver();
   std::vector<SummaryLine> lines{
-      {"Format", const_cast<GDALDriver*>(driver)->GetDescription()},
-      {"Size", fmt::format("{} x {} cells", source.width, source.height)},
-      {"Cell size", fmt::format("{:.10g} m", place.cell)},
-      {"West, south", fmt::format("{:.3f}, {:.3f} m", place.west, place.south)},
-      {"East, north", fmt::format("{:.3f}, {:.3f} m", place.west + place.cell * source.width,
-                                  place.south + place.cell * source.height)},
-      {"Heights", fmt::format("{:.3f} to {:.3f} m", found.lowest, found.highest)},
-      {"No data", fmt::format("{:.3f} % of the cells", 100.0 * static_cast<double>(found.holes) / cells)}};
+      {SPIN_TR("Format"), const_cast<GDALDriver*>(driver)->GetDescription()},
+      {SPIN_TR("Size"), fmt::format("{} x {} cells", source.width, source.height)},
+      {SPIN_TR("Cell size"), fmt::format("{:.10g} m", place.cell)},
+      {SPIN_TR("West, south"), fmt::format("{:.3f}, {:.3f} m", place.west, place.south)},
+      {SPIN_TR("East, north"), fmt::format("{:.3f}, {:.3f} m", place.west + place.cell * source.width,
+                                           place.south + place.cell * source.height)},
+      {SPIN_TR("Heights"), fmt::format("{:.3f} to {:.3f} m", found.lowest, found.highest)},
+      {SPIN_TR("No data"),
+       fmt::format("{:.3f} % of the cells", 100.0 * static_cast<double>(found.holes) / cells)}};
   std::string system = crs.name.empty() ? "unknown" : crs.name;
   if (crs.epsg > 0) system = fmt::format("EPSG:{} ({})", crs.epsg, system);
-  lines.push_back({"Coordinate system", system});
+  lines.push_back({SPIN_TR("Coordinate system"), system});
   return lines;
 }
 
@@ -163,7 +165,7 @@ Result<TerrainImport> TerrainGdalPlugin::read(const std::string& path, const Imp
   for (const std::vector<std::string>& more :
        {reading.warnings(), findings(rows, *source, *place, *crs, *found)})
     import.summary.warnings.insert(import.summary.warnings.end(), more.begin(), more.end());
-  if (!terrain->credit.empty()) import.summary.lines.push_back({"Credit", terrain->credit});
+  if (!terrain->credit.empty()) import.summary.lines.push_back({SPIN_TR("Credit"), terrain->credit});
   return import;
 }
 

@@ -151,6 +151,20 @@ TEST(SceneFile, RefusesBadNodesInClearWords) {
   }
 }
 
+TEST(SceneFile, TellsAllProblemsAtOnce) {
+  const std::string error = errorOf(readNodes(
+      "{\"id\": \"w\", \"type\": \"weather\", \"enabeld\": true, \"properties\": {\"wind_sped_m_s\": 1, "
+      "\"cloud_cover\": 2, \"air_temperature_c\": -3}}, {\"id\": \"c\", \"type\": \"camra\"}"));
+  for (const char* said : {"\"enabled\"", "\"wind_speed_m_s\"", "0 to 1", "\"camera\""})
+    EXPECT_NE(error.find(said), std::string::npos) << said << " in " << error;
+  EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 3) << error;
+  // A file full of them is cut short, and says so.
+  std::string many;
+  for (int k = 0; k < 50; ++k)
+    many += fmt::format("{}{{\"id\": \"n{}\", \"type\": \"x\"}}", k ? ", " : "", k);
+  EXPECT_NE(errorOf(readNodes(many)).find("30 more problems"), std::string::npos);
+}
+
 TEST(SceneFile, RefusesForeignAndNewerFiles) {
   EXPECT_NE(errorOf(readSceneText("{}", "f")).find("no Spindrift scene"), std::string::npos);
   EXPECT_NE(errorOf(readSceneText("PNG", "f")).find("JSON"), std::string::npos);

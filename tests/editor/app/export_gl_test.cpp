@@ -16,7 +16,6 @@
 #include "editor/app/export_dialog.h"
 #include "editor/app/main_window.h"
 #include "editor/app/ui_watchdog.h"
-#include "editor/viewport/gl_surface.h"
 #include "plugins/host/plugin_host.h"
 #include "tests/editor/support/strict.h"
 
@@ -119,7 +118,6 @@ class ExportGlTest : public QObject {
 };
 
 int main(int argc, char** argv) {
-  setDefaultGlFormat();
   QApplication application(argc, argv);
   ExportGlTest test;
   return QTest::qExec(&test, argc, argv);

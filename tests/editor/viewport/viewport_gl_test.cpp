@@ -6,7 +6,7 @@
 #include <QTest>
 #include <utility>
 
-#include "editor/viewport/gl_surface.h"
+#include "editor/viewport/picture_view.h"
 #include "editor/viewport/viewport.h"
 #include "tests/editor/support/strict.h"
 #include "tests/editor/support/test_scene.h"
@@ -24,7 +24,7 @@ int different(const QImage& a, const QImage& b) {
 
 }  // namespace
 
-/// The viewport with a real OpenGL context.
+/// The viewport with pictures drawn by a real OpenGL driver.
 class ViewportGlTest : public QObject {
   Q_OBJECT
 
@@ -34,7 +34,6 @@ class ViewportGlTest : public QObject {
   /// The scene is drawn: the picture is not one colour and changes with the camera.
   void drawsTheScene() {
     Viewport viewport;
-    QVERIFY(viewport.gl());
     viewport.resize(640, 400);
     viewport.setScene(test::hillSnapshot());
     viewport.setCamera({{128, -80, 140}, {128, 128, 15}, 45});
@@ -44,14 +43,14 @@ class ViewportGlTest : public QObject {
     QVERIFY(QTest::qWaitForWindowExposed(&viewport));
     QTRY_VERIFY(drawn.count() > 0);
     QCOMPARE(failed.count(), 0);
-    const QImage first = viewport.gl()->grabFramebuffer();
+    const QImage first = viewport.surface()->picture();
     QImage flat = first;
     flat.fill(first.pixelColor(first.width() / 2, first.height() / 2));
     QVERIFY(different(first, flat) > 100);
     const auto before = drawn.count();
     viewport.setCamera({{128, 20, 60}, {128, 128, 15}, 45});
     QTRY_VERIFY(drawn.count() > before);
-    QVERIFY(different(first, viewport.gl()->grabFramebuffer()) > 100);
+    QVERIFY(different(first, viewport.surface()->picture()) > 100);
   }
 
   /// Nothing changes, nothing is drawn; the overlay alone does not draw the scene.
@@ -69,30 +68,30 @@ class ViewportGlTest : public QObject {
       QTest::qWait(500);
       if (std::exchange(before, drawn.count()) == before) break;
     }
-    viewport.gl()->updateOverlay();
+    viewport.surface()->updateOverlay();
     QTest::qWait(200);
     QCOMPARE(drawn.count(), before);
   }
 
   /// A view that rests is drawn in full detail; one that moves again is not, until it rests again.
   void refinesWhenItRests() {
-    GlSurface surface;
+    PictureView surface;
     surface.resize(480, 300);
     surface.setScene(test::hillSnapshot());
     surface.setView({{128, -80, 140}, {128, 128, 15}, 45}, 0.0, {});
-    QSignalSpy drawn(&surface, &GlSurface::drawn);
-    QSignalSpy refined(&surface, &GlSurface::refined);
+    QSignalSpy drawn(&surface, &PictureView::drawn);
+    QSignalSpy refined(&surface, &PictureView::refined);
     surface.show();
     QVERIFY(QTest::qWaitForWindowExposed(&surface));
     QTRY_VERIFY(drawn.count() > 0);
-    const QImage coarse = surface.grabFramebuffer();
+    const QImage coarse = surface.picture();
     QTRY_COMPARE(refined.count(), 1);
-    const QImage fine = surface.grabFramebuffer();
+    const QImage fine = surface.picture();
     QVERIFY(different(coarse, fine) > 50);
     surface.setView({{128, 20, 60}, {128, 128, 15}, 45}, 0.0, {});
     surface.setView({{128, -80, 140}, {128, 128, 15}, 45}, 0.0, {});
     QTRY_COMPARE(refined.count(), 2);
-    QCOMPARE(different(fine, surface.grabFramebuffer()), 0);
+    QCOMPARE(different(fine, surface.picture()), 0);
   }
 
   /// Many requests in one go are few pictures: never more than about 30 a second.
@@ -116,7 +115,73 @@ class ViewportGlTest : public QObject {
     QVERIFY(drawn.count() > before);
   }
 
-  /// Another window takes the view over (a dock that floats): it has a new context and still draws.
+  /// A hidden view asks for no pictures; shown again, it catches up.
+  void hiddenViewsDrawNothing() {
+    PictureView view;
+    view.resize(200, 120);
+    view.setScene(test::hillSnapshot());
+    view.setView({{128, -80, 140}, {128, 128, 15}, 45}, 0.0, {});
+    QSignalSpy drawn(&view, &PictureView::drawn);
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    QTRY_VERIFY(drawn.count() > 0);
+    view.hide();
+    QTest::qWait(100);
+    const auto before = drawn.count();
+    view.setView({{128, 20, 60}, {128, 128, 15}, 45}, 0.0, {});
+    QTest::qWait(300);
+    QCOMPARE(drawn.count(), before);
+    const QImage old = view.picture();
+    view.show();
+    QTRY_VERIFY(drawn.count() > before);
+    QVERIFY(different(old, view.picture()) > 20);
+  }
+
+  /// The picture has the pixels of the screen and follows the widget's size.
+  void followsTheSize() {
+    PictureView view;
+    view.resize(200, 120);
+    view.setScene(test::hillSnapshot());
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    QTRY_COMPARE(view.picture().size(), QSize(200, 120));
+    view.resize(333, 177);
+    QTRY_COMPARE(view.picture().size(), QSize(333, 177));
+  }
+
+  /// A size the driver refuses is told, and the next one that fits is drawn.
+  void refusedSizesAreTold() {
+    PictureDrawer drawer;
+    QSignalSpy drawn(&drawer, &PictureDrawer::drawn);
+    QSignalSpy failed(&drawer, &PictureDrawer::failed);
+    PictureRequest request;
+    request.scene = test::hillSnapshot();
+    request.options.width = 1 << 20;
+    request.options.height = 16;
+    drawer.request(request);
+    QTRY_COMPARE(failed.count(), 1);
+    QVERIFY(failed[0][0].toString().contains(QStringLiteral("1048576")));
+    QCOMPARE(drawn.count(), 0);
+    request.options.width = 32;
+    drawer.request(request);
+    QTRY_COMPARE(drawn.count(), 1);
+    QCOMPARE(drawn[0][0].value<QImage>().size(), QSize(32, 16));
+  }
+
+  /// A view may go at any time, also before the driver is ready or while a picture is drawn.
+  void endsWhileDrawing() {
+    for (const int wait : {0, 30, 300}) {
+      PictureDrawer drawer;
+      PictureRequest request;
+      request.scene = test::hillSnapshot();
+      request.options.width = 640;
+      request.options.height = 400;
+      drawer.request(request);
+      QTest::qWait(wait);
+    }
+  }
+
+  /// Another window takes the view over (a dock that floats): it still draws.
   void survivesReparenting() {
     QMainWindow a, b;
     auto* viewport = new Viewport;
@@ -138,7 +203,6 @@ class ViewportGlTest : public QObject {
 };
 
 int main(int argc, char** argv) {
-  setDefaultGlFormat();
   QApplication application(argc, argv);
   ViewportGlTest test;
   return QTest::qExec(&test, argc, argv);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/fields/terrain_surface.h"
+#include "editor/viewport/picture_view.h"
 #include "editor/viewport/scene_picker.h"
 #include "editor/viewport/viewport.h"
 #include "tests/editor/support/strict.h"
@@ -38,7 +39,7 @@ struct Fixture {
 
 }  // namespace
 
-/// The pointer's work in the view, without OpenGL (platform offscreen).
+/// The pointer's work in the view, without a picture (platform offscreen).
 class ViewportToolsTest : public QObject {
   Q_OBJECT
 
