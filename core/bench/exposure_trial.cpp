@@ -13,8 +13,8 @@
 #include "core/base/check.h"
 #include "core/base/random.h"
 #include "core/bench/bench_meter.h"
+#include "core/bench/reference_surface.h"
 #include "core/nodes/terrain_node.h"
-#include "core/snow/cell_samplers.h"
 #include "core/snow/exposure_process.h"
 
 namespace spin {
@@ -35,73 +35,46 @@ struct Prepared {
   SnowGroundPointer ground;
   SnowScene scene;
   ExposureSettings settings;
-  std::optional<TerrainSurface> surface;
-  Raster<std::uint8_t> superseded;
 };
 
-/// Direction uniform in the cone, by its own map from its own random numbers: nothing in common with the
-/// cover's.
-Vec3d referenceDirection(const FallCone& cone, const CounterRandom& random, std::uint64_t index) {
-  const UInt4 w = random.words(index, 1);
-  const double cosine = 1.0 - cone.oneMinusCos * toUnitDouble(w.x, w.y);
-  const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
-  const double turn = 2.0 * kPi * toUnitDouble(w.z, w.w);
-  return cone.frame.s * (sine * std::cos(turn)) + cone.frame.t * (sine * std::sin(turn)) +
-         cone.frame.n * cosine;
-}
-
 /// Share of plain random rays that see the sky.
-template <class Sampler>
-double reference(const SnowScene& scene, const FallCone& cone, const Sampler& sampler, std::uint64_t probe,
-                 int rays) {
-  constexpr int kBatch = 256;
-  const CounterRandom random{0x5eed0fa11ull + probe, 77};
+double referenceOf(const Prepared& prepared, const Probe& probe, std::uint64_t number, int rays) {
+  constexpr std::size_t kBatch = 256;
+  constexpr double kStandOff = 2e-3;  // m
+  const SnowScene& scene = prepared.scene;
+  const ReferenceSurface surface(prepared.snapshot, *prepared.ground, scene, probe.grid, probe.cell);
+  const CounterRandom random{0x5eed0fa11ull + number, 77};
+  std::vector<ReferencePoint> points;
   std::vector<Ray> batch;
   std::vector<std::uint8_t> blocked(kBatch);
-  std::int64_t open = 0;
-  for (int r = 0; r < rays; ++r) {
-    const auto index = static_cast<std::uint64_t>(r);
-    const UInt4 w = random.words(index, 0);
-    const SurfacePoint p = sampler.at(toUnitDouble(w.x, w.y), toUnitDouble(w.z, w.w));
-    const Vec3d fall = referenceDirection(cone, random, index);
-    if (dot(p.normal, fall) < 0.0) batch.push_back(scene.towardsSky(p.position, p.normal, fall));
-    if (batch.size() == kBatch || r + 1 == rays) {
-      scene.rays->occludedMany(batch.data(), batch.size(), blocked.data());
-      open += std::count(blocked.begin(), blocked.begin() + static_cast<std::ptrdiff_t>(batch.size()), 0);
-      batch.clear();
+  std::int64_t cast = 0, open = 0;
+  const auto flush = [&] {
+    scene.rays->occludedMany(batch.data(), batch.size(), blocked.data());
+    open += std::count(blocked.begin(), blocked.begin() + static_cast<std::ptrdiff_t>(batch.size()), 0);
+    batch.clear();
+  };
+  // A cell may have surface over a small part of its square only.
+  for (std::uint64_t index = 0; cast < rays && index < 1000u * static_cast<std::uint64_t>(rays); ++index) {
+    points.clear();
+    surface.pointsAt(random, index, points);
+    const Vec3d fall = referenceDirection(prepared.settings.cone, random, index);
+    for (const ReferencePoint& p : points) {
+      ++cast;
+      if (dot(p.normal, fall) >= 0.0) continue;
+      batch.push_back({(p.position + p.normal * kStandOff - scene.centre).to<float>(), (-fall).to<float>(),
+                       0.0f, std::numeric_limits<float>::infinity()});
+      if (batch.size() == kBatch) flush();
     }
   }
-  return static_cast<double>(open) / rays;
-}
-
-double referenceOf(const Prepared& prepared, const Probe& probe, std::uint64_t number, int rays) {
-  const SnowGround& ground = *prepared.ground;
-  const FallCone& cone = prepared.settings.cone;
-  for (const TerrainGrid& terrain : ground.terrain) {
-    if (terrain.grid != probe.grid) continue;
-    TerrainCellSampler sampler(*prepared.surface, terrain, ground.layout->grids[probe.grid],
-                               prepared.superseded);
-    sampler.enter(probe.cell);
-    return reference(prepared.scene, cone, sampler, number, rays);
-  }
-  for (std::size_t m = 0; m < ground.models.size(); ++m)
-    for (const ModelPatch& patch : ground.models[m].patches) {
-      if (patch.grid != probe.grid) continue;
-      PatchCellSampler sampler(ground.models[m], patch, prepared.scene.models[m].placement.translation);
-      sampler.enter(probe.cell);
-      return reference(prepared.scene, cone, sampler, number, rays);
-    }
-  return 0.0;
+  flush();
+  return cast > 0 ? static_cast<double>(open) / static_cast<double>(cast) : std::nan("");
 }
 
 Prepared prepare(const SceneSnapshot& snapshot, const BenchOptions& options) {
-  Prepared p{snapshot, makeSnowGround(snapshot), {}, exposureSettings(snapshot, 0.0), {}, {}};
+  Prepared p{snapshot, makeSnowGround(snapshot), {}, exposureSettings(snapshot, 0.0)};
   std::optional<SnowScene> scene = makeSnowScene(snapshot, *p.ground, 0.0, options.makeRayScene);
   SPIN_CHECK(scene.has_value(), "nobody cancels it");
   p.scene = std::move(*scene);
-  if (!snapshot.terrain) return p;
-  p.surface.emplace(snapshot.terrain->heights);
-  p.superseded = supersededQuads(snapshot.terrain->heights, *p.ground);
   return p;
 }
 
@@ -226,7 +199,7 @@ Result<std::vector<BenchRow>> compareExposure(const ExposureTrial& trial, const 
     meter.finish(row);
     // The default setting has the bar; fewer rays show how the error grows.
     addErrors(references, probes, *field, rays >= 64, trial.byKind, row);
-    row.addFigure("estimated_rmse", field->samplingRmse, "1");
+    if (field->samplingRmse) row.addFigure("estimated_rmse", *field->samplingRmse, "1");
     double cells = 0.0;
     for (const auto& grid : field->grids) cells += static_cast<double>(grid.exposure.size());
     row.addTime("rays_per_second", cells * rays / backend.timings().seconds("exposure"), "1/s");

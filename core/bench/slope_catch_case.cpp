@@ -9,6 +9,7 @@
 #include "core/bench/bench_meter.h"
 #include "core/bench/snow_bench_scene.h"
 #include "core/bench/snow_run.h"
+#include "core/bench/worst.h"
 
 namespace spin {
 namespace {
@@ -57,7 +58,7 @@ Result<BenchRow> measure(const BenchOptions& options, double degrees, double spr
   const std::vector<float>& depth = cover->values[0].depth;
   for (const float d : depth) {
     const double error = static_cast<double>(d) / expected - 1.0;
-    worst = std::max(worst, std::abs(error));
+    worst = worse(worst, std::abs(error));
     sum += error;
   }
   const double mean = std::abs(sum / static_cast<double>(depth.size()));

@@ -11,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/bench/bench_case.h"
 #include "core/bench/bench_meter.h"
+#include "core/bench/worst.h"
 #include "core/sph/sph_slice.h"
 #ifdef SPIN_HAVE_CUDA
 #include "gpu/cuda_device.h"
@@ -77,9 +78,7 @@ Result<StepTime> timePerStep(SphSliceSolver& solver, double timeStep) {
 double largestDensityError(const SphSliceSolver& solver, double restDensity) {
   double largest = 0.0;
   for (const SphParticle& p : solver.particles()) {
-    // Written so that a NaN is not passed over.
-    const double error = p.density / restDensity - 1.0;
-    if (!(error <= largest)) largest = error;
+    largest = worse(largest, p.density / restDensity - 1.0);
   }
   return largest;
 }
@@ -97,7 +96,7 @@ Result<BenchRow> measure(const DamBreak& scene, SphSliceSolver& solver, int thre
   // Says on a busy machine what a free one would do; a card has its own clock.
   if (std::string_view(solver.device()) == "cpu")
     row.addTime("particle_steps_per_cpu_second", n / time->cpu, "1/s");
-  row.addFigure("bytes_per_particle", static_cast<double>(solver.bytes()) / n, "B");
+  row.addError("bytes_per_particle", static_cast<double>(solver.bytes()) / n, "B", 150.0);
   // Compression beyond a tenth would mean that the scene, or the solver, has blown up.
   row.addError("largest_compression", largestDensityError(solver, scene.config.restDensity), "1", 0.1);
   double total = 0.0;

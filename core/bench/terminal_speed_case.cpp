@@ -4,6 +4,7 @@
 
 #include "core/bench/bench_case.h"
 #include "core/bench/bench_meter.h"
+#include "core/bench/worst.h"
 #include "core/nodes/weather_nodes.h"
 #include "core/physics/drag.h"
 #include "core/snow/snow_weather.h"
@@ -42,10 +43,10 @@ BenchRow measure(const TypeName& name, double h) {
     const double reference = name.speedAt1mm * std::pow(millimetres, name.exponent);
     const double v = law.terminalSpeed(millimetres * 1e-3);
     const auto error = [&](Vec3d relative) { return std::abs(-relative.z / reference - 1.0); };
-    fromRest = std::max(fromRest, error(relativeVelocityAfterFive(v, {}, {}, h)));
-    fromFast = std::max(fromFast, error(relativeVelocityAfterFive(v, {0, 0, -10}, {}, h)));
+    fromRest = worse(fromRest, error(relativeVelocityAfterFive(v, {}, {}, h)));
+    fromFast = worse(fromFast, error(relativeVelocityAfterFive(v, {0, 0, -10}, {}, h)));
     const Vec3d blown = relativeVelocityAfterFive(v, {}, {10, 5, 0}, h);
-    sideways = std::max(sideways, std::hypot(blown.x, blown.y) / reference);
+    sideways = worse(sideways, std::hypot(blown.x, blown.y) / reference);
   }
   row.addError("speed_error_from_rest", fromRest, "1", 0.01);
   row.addError("speed_error_from_10_m_s", fromFast, "1", 0.01);

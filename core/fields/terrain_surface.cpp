@@ -30,13 +30,79 @@ struct Plane {
   double z, du, dv;
 };
 
-Plane planeAt(const Raster<float>& h, const QuadPoint& p) {
+/// The lower triangle lies where u >= v; its plane goes on beyond it.
+Plane planeAt(const Raster<float>& h, const QuadPoint& p, bool lower) {
   const double z00 = h.at(p.i, p.j), z10 = h.at(p.i + 1, p.j);
   const double z01 = h.at(p.i, p.j + 1), z11 = h.at(p.i + 1, p.j + 1);
-  const bool lower = p.u >= p.v;
   const double du = lower ? z10 - z00 : z11 - z01;
   const double dv = lower ? z11 - z10 : z01 - z00;
   return {z00 + du * p.u + dv * p.v, du, dv};
+}
+
+Plane planeAt(const Raster<float>& h, const QuadPoint& p) {
+  return planeAt(h, p, p.u >= p.v);
+}
+
+struct Line {
+  Vec3d from, direction;  ///< direction of unit length
+  Vec3d at(double t) const { return from + direction * t; }
+};
+
+/// Where the line from 0 on reaches an offset along one axis; never where it does not move along it.
+double crossing(double offset, double speed) {
+  return speed == 0.0 ? std::numeric_limits<double>::infinity() : offset / speed;
+}
+
+/// The stretch of the line from t = 0 on within the box, a little taller than it, so that level ground at its
+/// lid is inside.
+std::optional<Vec2d> clipToBox(const Line& line, Box3d box) {
+  if (box.empty()) return {};
+  const double margin = 1e-6 * (1.0 + length(box.size()));
+  box.min.z -= margin;
+  box.max.z += margin;
+  double enter = 0.0, leave = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = box.min[axis] - line.from[axis], high = box.max[axis] - line.from[axis];
+    const double d = line.direction[axis];
+    if (d == 0.0) {
+      if (low > 0.0 || high < 0.0) return {};
+      continue;
+    }
+    enter = std::max(enter, std::min(low / d, high / d));
+    leave = std::min(leave, std::max(low / d, high / d));
+  }
+  if (!(enter <= leave)) return {};
+  return Vec2d{enter, leave};
+}
+
+/// First point of the stretch [t0, t1], which lies in the quad's column, on one of the quad's triangles. Over
+/// each triangle the height above its plane is linear along the line, so the two ends tell. `side` carries on
+/// which side the line left the triangle before, +1 above, -1 below, 0 where there was none: rounding opens
+/// no crack between two triangles.
+std::optional<double> hitInQuad(const Raster<float>& h, int i, int j, const Line& line, double t0, double t1,
+                                int& side) {
+  const auto above = [&](double t, bool lower) {
+    const Vec3d p = line.at(t);
+    QuadPoint q{i, j, (p.x - h.x(i)) / h.cellSize, (p.y - h.y(j)) / h.cellSize};
+    return p.z - planeAt(h, q, lower).z;
+  };
+  const auto hit = [&](double a, double b, bool lower) -> std::optional<double> {
+    const double za = above(a, lower), zb = above(b, lower);
+    const int first = za > 0.0 ? 1 : -1;
+    if (za == 0.0 || first == -side) return a;
+    side = zb > 0.0 ? 1 : -1;
+    if (side == first && zb != 0.0) return {};
+    return a + (b - a) * (za / (za - zb));
+  };
+  const auto diagonal = [&](double t) {
+    const Vec3d p = line.at(t);
+    return (p.x - h.x(i)) - (p.y - h.y(j));
+  };
+  const double d0 = diagonal(t0), d1 = diagonal(t1);
+  if ((d0 >= 0.0) == (d1 >= 0.0)) return hit(t0, t1, d0 + d1 >= 0.0);
+  const double middle = t0 + (t1 - t0) * (d0 / (d0 - d1));
+  if (const auto first = hit(t0, middle, d0 >= 0.0)) return first;
+  return hit(middle, t1, d1 >= 0.0);
 }
 
 }  // namespace
@@ -54,6 +120,20 @@ std::optional<double> TerrainSurface::heightAt(double x, double y) const {
   return planeAt(*m_heights, *p).z;
 }
 
+double TerrainSurface::nearestHeight(double x, double y) const {
+  if (const auto z = heightAt(x, y)) return *z;
+  const Raster<float>& h = *m_heights;
+  double nearest = std::numeric_limits<double>::infinity(), height = 0.0;
+  for (int j = 0; j < h.height; ++j)
+    for (int i = 0; i < h.width; ++i) {
+      const double distance = std::hypot(h.x(i) - x, h.y(j) - y);
+      if (std::isnan(h.at(i, j)) || distance >= nearest) continue;
+      nearest = distance;
+      height = static_cast<double>(h.at(i, j));
+    }
+  return height;
+}
+
 Vec3d TerrainSurface::normalAt(double x, double y) const {
   const auto p = locate(*m_heights, x, y);
   if (!p || !quadExists(p->i, p->j)) return {0, 0, 1};
@@ -68,34 +148,31 @@ double TerrainSurface::cellArea(int i, int j) const {
 
 std::optional<Vec3d> TerrainSurface::raycast(Vec3d from, Vec3d direction) const {
   const Raster<float>& h = *m_heights;
-  const double horizontal = std::hypot(direction.x, direction.y);
-  if (horizontal < 1e-12) {
-    const auto z = heightAt(from.x, from.y);
-    if (!z || (direction.z < 0.0) != (from.z >= *z)) return {};
-    return Vec3d{from.x, from.y, *z};
-  }
-  // March in half cells along the horizontal, then bisect the crossing; a crossing is a change of side.
-  const double step = 0.5 * h.cellSize / horizontal;
-  const Box3d box = boundsOf(h);
-  const double reach = (length(box.size()) + length(from - box.centre())) / length(direction);
-  double previous = 0.0;
-  std::optional<double> sidePrevious;
-  for (double t = 0.0; t <= reach; t += step) {
-    const Vec3d p = from + direction * t;
-    const auto z = heightAt(p.x, p.y);
-    const std::optional<double> side = z ? std::optional<double>(p.z - *z) : std::nullopt;
-    if (side && sidePrevious && *sidePrevious >= 0.0 && *side < 0.0) {
-      double low = previous, high = t;
-      for (int k = 0; k < 40; ++k) {
-        const double mid = 0.5 * (low + high);
-        const Vec3d q = from + direction * mid;
-        const auto zq = heightAt(q.x, q.y);
-        (zq && q.z < *zq ? high : low) = mid;
-      }
-      return from + direction * high;
-    }
-    previous = t;
-    sidePrevious = side;
+  const double size = length(direction);
+  if (h.width < 2 || h.height < 2 || !(size > 0.0)) return {};
+  const Line line{from, direction / size};
+  const auto inside = clipToBox(line, boundsOf(h));
+  if (!inside) return {};
+  double t = inside->x;
+  const Vec3d entry = line.at(t);
+  // Walk of Amanatides and Woo 1987 over the columns of quads, each with its exact stretch of the ray.
+  const auto cell = [&](double offset, int count) {
+    return std::clamp(static_cast<int>(std::floor(offset / h.cellSize)), 0, count - 2);
+  };
+  int i = cell(entry.x - h.originX, h.width), j = cell(entry.y - h.originY, h.height);
+  int side = 0;
+  const int stepI = line.direction.x < 0.0 ? -1 : 1, stepJ = line.direction.y < 0.0 ? -1 : 1;
+  while (i >= 0 && j >= 0 && i + 1 < h.width && j + 1 < h.height) {
+    const double outX = crossing(h.x(stepI > 0 ? i + 1 : i) - from.x, line.direction.x);
+    const double outY = crossing(h.y(stepJ > 0 ? j + 1 : j) - from.y, line.direction.y);
+    const double out = std::min({outX, outY, inside->y});
+    if (!quadExists(i, j))
+      side = 0;
+    else if (const auto hit = hitInQuad(h, i, j, line, t, std::max(t, out), side))
+      return line.at(*hit);
+    if (out >= inside->y) return {};
+    (outX <= outY ? i : j) += outX <= outY ? stepI : stepJ;
+    t = std::max(t, out);
   }
   return {};
 }

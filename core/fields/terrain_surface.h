@@ -20,13 +20,16 @@ class TerrainSurface {
   bool quadExists(int i, int j) const;
   /// Height of the surface at a local position; nothing outside or in a hole.
   std::optional<double> heightAt(double x, double y) const;
+  /// The same, beyond the rim and in holes that of the nearest cell with data (by the raster's rows and
+  /// columns); 0 where there is none at all.
+  double nearestHeight(double x, double y) const;
   /// Unit upward normal at a local position; (0, 0, 1) outside or in a hole.
   Vec3d normalAt(double x, double y) const;
   /// Horizontal area of the part of the surface that belongs to cell (i, j): a quarter quad for each existing
   /// quad round it, m2.
   double cellArea(int i, int j) const;
-  /// First hit of the ray from `from` along `direction`, by marching the cells it crosses; nothing if it
-  /// misses.
+  /// First hit of the ray from `from` along `direction` (any length) with the surface, from either side;
+  /// nothing if it misses. Exact: every triangle the ray passes is asked.
   std::optional<Vec3d> raycast(Vec3d from, Vec3d direction) const;
 
  private:

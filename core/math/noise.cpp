@@ -9,6 +9,8 @@
 namespace spin {
 namespace {
 
+constexpr double kFalling = 0.6;  // amplitude of an octave against the one before
+
 /// Dot product of the offset with one of the twelve edge directions of a cube.
 double latticeTerm(std::int64_t i, std::int64_t j, std::int64_t k, Vec3d d, std::uint64_t seed) {
   const UInt4 word = philox4x32({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j),
@@ -54,14 +56,15 @@ double gradientNoise(Vec3d p, std::uint64_t seed) {
 }
 
 double octaveNoise(Vec3d position, double wavelength, double shortest, std::uint64_t seed) {
-  double sum = 0.0, amplitude = 1.0, total = 0.0;
+  double sum = 0.0, amplitude = 1.0;
   for (std::uint64_t octave = 0; octave < 8 && (octave == 0 || wavelength >= shortest); ++octave) {
     sum += amplitude * gradientNoise(position / wavelength, seed + octave);
-    total += amplitude;
-    amplitude *= 0.6;
+    amplitude *= kFalling;
     wavelength *= 0.5;
   }
-  return sum / total;
+  // By the sum of all amplitudes, whatever octaves are left out: grids of different cells then differ in fine
+  // detail only.
+  return sum * (1.0 - kFalling);
 }
 
 }  // namespace spin

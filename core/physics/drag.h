@@ -22,7 +22,7 @@ SPIN_HD inline Vec3d dragAcceleration(Vec3d velocity, Vec3d wind, double termina
 SPIN_HD inline Vec3d dragStep(Vec3d velocity, Vec3d wind, double terminalSpeed, Vec3d gravity, double h) {
   const Vec3d b = velocity - wind + gravity * h;
   const double size = length(b);
-  if (!(size > 0.0)) return wind;
+  if (size == 0.0) return wind;  // a NaN goes on and is found
   const double k = h * length(gravity) / (terminalSpeed * terminalSpeed);
   // The second form of the root keeps its digits where 4 k |b| is tiny.
   const double speed = 2.0 * size / (1.0 + std::sqrt(1.0 + 4.0 * k * size));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <filesystem>
 #include <optional>
 
@@ -19,6 +20,7 @@ namespace fs = std::filesystem;
 constexpr const char* kFrameKind = "frame";
 constexpr const char* kCheckpointKind = "checkpoint";
 constexpr const char* kSharedPrefix = "shared:";
+constexpr std::chrono::minutes kSharedGrace{10};
 
 const char* folderOf(CacheFolder::Kind kind) {
   return kind == CacheFolder::Kind::Frame ? "frames" : "checkpoints";
@@ -154,7 +156,9 @@ bool CacheFolder::sharedIsThere(const Hash128& key) {
 bool CacheFolder::sharedIsWhole(const Hash128& key) {
   {
     std::lock_guard lock(m_mutex);
-    if (m_whole.count(key)) return true;
+    // Another process may have cleaned the folder meanwhile.
+    std::error_code error;
+    if (m_whole.count(key) && fs::exists(sharedPath(key), error)) return true;
   }
   const Result<CheckedFile> file = readCheckedFile(sharedPath(key));
   if (!file || file->header.key != key) return false;
@@ -174,6 +178,7 @@ Status CacheFolder::writeShared(const FramePart& part, const Hash128& key) {
   std::lock_guard lock(m_mutex);
   m_there.insert(key);
   m_whole.insert(key);
+  m_own.insert(key);
   return {};
 }
 
@@ -264,16 +269,21 @@ Status CacheFolder::remove(Kind kind, int frame, const Hash128& key) {
 Status CacheFolder::removeSharedBut(const std::vector<Hash128>& used) {
   std::lock_guard lock(m_mutex);
   for (auto it = m_there.begin(); it != m_there.end();) {
-    if (std::find(used.begin(), used.end(), *it) != used.end()) {
+    std::error_code error;
+    // Another process writes what its frame shares before the frame.
+    const bool fresh =
+        !m_own.count(*it) &&
+        fs::file_time_type::clock::now() - fs::last_write_time(sharedPath(*it), error) < kSharedGrace;
+    if (fresh || std::find(used.begin(), used.end(), *it) != used.end()) {
       ++it;
       continue;
     }
-    std::error_code error;
     fs::remove(sharedPath(*it), error);
     if (error)
       return Error{ErrorKind::Failed, "The cache file could not be deleted", sharedPath(*it), error.message(),
                    ""};
     m_whole.erase(*it);
+    m_own.erase(*it);
     it = m_there.erase(it);
   }
   return {};

@@ -43,7 +43,8 @@ class CacheFolder {
   Result<std::vector<char>> readCheckpoint(int frame, const Hash128& key);
 
   Status remove(Kind kind, int frame, const Hash128& key);
-  /// Removes shared files whose key is not in the list.
+  /// Removes shared files whose key is not in the list; of other processes only those that have been there
+  /// for a while, since the frame that needs one is written after it.
   Status removeSharedBut(const std::vector<Hash128>& used);
   std::uint64_t sharedBytes() const;
 
@@ -66,6 +67,7 @@ class CacheFolder {
   std::map<Hash128, std::weak_ptr<const void>> m_loaded;  ///< shared data in use
   std::set<Hash128> m_there;                              ///< shared files of the folder
   std::set<Hash128> m_whole;                              ///< of these, those that were verified
+  std::set<Hash128> m_own;                                ///< of these, those that this process wrote
 };
 
 }  // namespace spin

@@ -228,6 +228,14 @@ void FrameStore::setKeys(std::vector<Hash128> keys) {
   m_state->keys = std::move(keys);
 }
 
+int FrameStore::lastFrame() {
+  m_state->scan();
+  std::lock_guard lock(m_state->mutex);
+  const int frame = m_state->frames.empty() ? -1 : m_state->frames.rbegin()->first;
+  const int checkpoint = m_state->checkpoints.empty() ? -1 : m_state->checkpoints.rbegin()->first;
+  return std::max(frame, checkpoint);
+}
+
 std::vector<Hash128> FrameStore::keys() const {
   std::lock_guard lock(m_state->mutex);
   return m_state->keys;
@@ -359,6 +367,8 @@ FrameStore::Usage FrameStore::usage() const {
 
 Status FrameStore::purgeStale() {
   State& s = *m_state;
+  // What another process has written since then needs its shared data too.
+  s.scan();
   std::lock_guard lock(s.mutex);
   if (s.keys.empty())
     return Error{ErrorKind::Usage, "The cache was not cleaned", s.options.directory,

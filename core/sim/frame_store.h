@@ -39,6 +39,9 @@ class FrameStore {
   /// in files that another process has put into the folder meanwhile.
   void setKeys(std::vector<Hash128> keys);
   std::vector<Hash128> keys() const;
+  /// Number of the last frame or checkpoint of any key, also of those that another process has written; -1 =
+  /// none.
+  int lastFrame();
   FrameState state(int frame) const;
   /// Whether a frame with this content is there, whatever keys are declared.
   bool has(int frame, const Hash128& key) const;

@@ -55,6 +55,8 @@ Status runSimulation(const SceneSnapshot& scene, FrameStore& store, const RunOpt
 /// Keys of frames 0 .. options.lastFrame as runSimulation() declares them: the backend and the ray caster
 /// count.
 std::vector<Hash128> frameKeys(const SceneSnapshot& scene, const RunOptions& options);
+/// The same on to the last frame that the store holds: a shorter run does not make later frames stale.
+std::vector<Hash128> validKeys(const SceneSnapshot& scene, RunOptions options, FrameStore& store);
 
 /// Runs runSimulation() on its own low-priority thread; a new start() cancels the old run and waits for it
 /// off the caller's thread. Callbacks come on the runner's thread; they may call start() and cancel(), not
@@ -79,7 +81,7 @@ class Runner {
 };
 
 /// Version of the solver's results; part of every key. Raise it when results change.
-inline constexpr const char* kSolverVersion = "1";
+inline constexpr const char* kSolverVersion = "2";
 /// "cpu-avx512" and so on for the instruction set in use; what this processor cannot run counts as auto.
 std::string backendName(const std::string& isa);
 

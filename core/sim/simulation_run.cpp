@@ -20,6 +20,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kProgressSeconds = 0.05;
+/// Frames beyond that are stale after any run.
+constexpr int kMostKeys = 100'000;
 /// So that a killed process loses little.
 constexpr double kCheckpointSeconds = 10.0;
 
@@ -106,7 +108,7 @@ void SimulationRun::discardState() {
 }
 
 Status SimulationRun::run() {
-  m_keys = frameKeys(m_scene, m_options);
+  m_keys = validKeys(m_scene, m_options, m_store);
   m_store.setKeys(m_keys);
   const std::vector<FrameState> states = m_store.states(m_options.lastFrame + 1);
   const auto missing = [](FrameState state) { return state != FrameState::Ready; };
@@ -292,6 +294,11 @@ std::vector<Hash128> frameKeys(const SceneSnapshot& scene, const RunOptions& opt
   const std::string caster = options.makeRayScene ? options.makeRayScene()->name() : "none";
   return frameKeys(scene, Pipeline::compile(scene, options.types),
                    fmt::format("{}+{}", backendName(options.isa), caster), options.lastFrame);
+}
+
+std::vector<Hash128> validKeys(const SceneSnapshot& scene, RunOptions options, FrameStore& store) {
+  options.lastFrame = std::max(options.lastFrame, std::min(store.lastFrame(), kMostKeys));
+  return frameKeys(scene, options);
 }
 
 RunEstimate estimateRun(const SceneSnapshot& scene, FrameStore& store, const RunOptions& options) {

@@ -55,7 +55,7 @@ Transform SceneSnapshot::modelTransform(const SceneNode& model, double filmTime)
   SPIN_CHECK(placed, "modelTransform() of a node that is no model: " + model.id);
   Vec3d position = placed->position;
   if (placed->onGround && terrain)
-    position.z += TerrainSurface(terrain->heights).heightAt(position.x, position.y).value_or(0.0);
+    position.z += TerrainSurface(terrain->heights).nearestHeight(position.x, position.y);
   return translationOf(position) * rotationOfDegrees(placed->rotationDegrees) * scalingOf(placed->scale);
 }
 

@@ -116,7 +116,11 @@ class PatchCellSampler {
     Vec3d n = normalized(triangle.normal());
     if (n.z < 0.0) n = -n;
     const Vec3d a = triangle.corners[0].to<double>();
-    const double z = a.z - (n.x * (p.x - a.x) + n.y * (p.y - a.y)) / n.z;
+    // On steep triangles rounding in plan would lift the point off them.
+    const auto [low, high] =
+        std::minmax({triangle.corners[0].z, triangle.corners[1].z, triangle.corners[2].z});
+    const double z = std::clamp(a.z - (n.x * (p.x - a.x) + n.y * (p.y - a.y)) / n.z, static_cast<double>(low),
+                                static_cast<double>(high));
     return {m_position + Vec3d{p.x, p.y, z}, n};
   }
 

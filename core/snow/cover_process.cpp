@@ -116,9 +116,9 @@ class CoverProcess final : public Process {
   }
 
   void estimate(const SceneSnapshot& scene, double& stateBytes, double& frameBytes) const override {
-    stateBytes = frameBytes = 0.0;
-    if (!scene.terrain) return;
-    const double cells = static_cast<double>(scene.terrain->heights.size());
+    double cells = 0.0;
+    for (const CoverGrid& grid : makeSnowGround(scene)->layout->grids)
+      cells += static_cast<double>(grid.base.size());
     stateBytes = cells * 2.0 * sizeof(double);
     frameBytes = cells * 3.0 * sizeof(float);
   }
@@ -152,6 +152,7 @@ class CoverProcess final : public Process {
     const SnowRates& rates = m_field->rates;
     if (!(rates.emitted > 0.0)) return;
     // The sinks' residuals may cancel in the budget, so each is shown too.
+    info.figures["lost_share"] = rates.lost / rates.emitted;
     info.figures["residual_ground_share"] = (rates.forward.ground - rates.gathered.ground) / rates.emitted;
     info.figures["residual_models_share"] = (rates.forward.models - rates.gathered.models) / rates.emitted;
     info.figures["residual_left_share"] = (rates.forward.left - rates.gathered.left) / rates.emitted;

@@ -121,23 +121,25 @@ double gatherSkirts(const Estimate& e) {
 
 double gatherBare(const Estimate& e, std::size_t m) {
   const StandingModel& model = e.scene.models[m];
-  const std::vector<std::uint32_t>& bare = e.ground.models[m].bare;
+  const std::vector<BareTriangle>& bare = e.ground.models[m].bare;
   std::vector<double> areaToHere;
   double total = 0.0;
-  for (const std::uint32_t t : bare) areaToHere.push_back(total += 0.5 * length(model.triangles[t].normal()));
+  for (const BareTriangle& b : bare)
+    areaToHere.push_back(total += 0.5 * length(model.triangles[b.triangle].normal()));
   if (!(total > 0.0)) return 0.0;
   return gatherFlow(e, 100 + static_cast<std::uint32_t>(m), [&](double u, double v, Vec3d w) {
     const auto found = std::upper_bound(areaToHere.begin(), areaToHere.end(), u * total);
     const auto k = std::min(static_cast<std::size_t>(found - areaToHere.begin()), bare.size() - 1);
     const double before = k == 0 ? 0.0 : areaToHere[k - 1];
     const double rest = std::clamp((u * total - before) / (areaToHere[k] - before), 0.0, 1.0);
-    const PlacedTriangle& triangle = model.triangles[bare[k]];
+    const PlacedTriangle& triangle = model.triangles[bare[k].triangle];
     const double root = std::sqrt(rest);
     const auto corner = [&](std::size_t c) { return triangle.corners[c].to<double>(); };
     const Vec3d p = corner(0) * (1.0 - root) + corner(1) * (root * (1.0 - v)) + corner(2) * (root * v);
-    // Of the two sides only the one that faces the snow can be reached by it.
+    // Of the two sides only the one that faces the snow can be reached by it, and never the inner one.
     const Vec3d n = normalized(triangle.normal());
     const double factor = levelFluxFactor(n, w);
+    if (factor * bare[k].outward < 0.0) return Exit{};
     return Exit{p + model.placement.translation, factor >= 0.0 ? n : -n, std::abs(factor) * total};
   });
 }
@@ -158,7 +160,7 @@ Sink leavingSink(const Estimate& e, Vec3d from, Vec3d w) {
   }
   const Vec3d p = from + w * t;
   if (!e.scene.hasTerrain) return Sink::Left;
-  const double tolerance = 20.0 * e.scene.offset;
+  const double tolerance = e.scene.tolerance;
   if (axisOut == 2) {
     const auto z = TerrainSurface(e.snapshot.terrain->heights).heightAt(p.x, p.y);
     return z && *z > p.z + tolerance ? Sink::Lost : Sink::Left;
@@ -181,7 +183,7 @@ Sink sinkOf(const Estimate& e, Vec3d from, Vec3d w) {
   const double t = static_cast<double>(hit->t);
   const Vec3d before = from + w * (t - std::min(t, 0.25 * heights.cellSize));
   const auto z = TerrainSurface(heights).heightAt(before.x, before.y);
-  return z && before.z < *z - 20.0 * scene.offset ? Sink::Lost : Sink::Ground;
+  return z && before.z < *z - scene.tolerance ? Sink::Lost : Sink::Ground;
 }
 
 struct FaceFlow {

@@ -51,8 +51,9 @@ struct ExposureField {
   };
   std::vector<Values> grids;  ///< by the layout's grids
   SnowRates rates;
-  double airVolume = 0.0;     ///< m3
-  double samplingRmse = 0.0;  ///< of the exposure, estimated from the two halves of each cell's rays
+  double airVolume = 0.0;  ///< m3
+  std::optional<double>
+      samplingRmse;  ///< of the exposure, by the two halves of each cell's rays; none for one ray
   FallCone cone;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/snow/exposure_process.h"
+#include "core/base/log.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
 #include "core/snow/snow_inputs.h"
@@ -60,7 +61,7 @@ class ExposureProcess final : public Process {
 
   void publish(const SceneSnapshot&, const FrameTime&, Frame& frame) const override {
     if (!m_field) return;
-    frame.info.figures["exposure_sampling_rmse"] = m_field->samplingRmse;
+    if (m_field->samplingRmse) frame.info.figures["exposure_sampling_rmse"] = *m_field->samplingRmse;
     frame.info.figures["fall_cone_deg"] = radiansToDegrees(m_field->cone.halfAngle);
   }
 
@@ -72,9 +73,11 @@ class ExposureProcess final : public Process {
 
   void estimate(const SceneSnapshot& scene, double& stateBytes, double& frameBytes) const override {
     stateBytes = frameBytes = 0.0;
-    if (!scene.terrain) return;
-    // Per terrain cell two triangles in the ray scene (about 150 bytes each with their tree) and two floats.
-    stateBytes = static_cast<double>(scene.terrain->heights.size()) * 310.0;
+    // About 150 bytes a triangle of the ray scene, with their tree; two to a terrain cell.
+    constexpr double kTriangle = 150.0;
+    if (scene.terrain) stateBytes += static_cast<double>(scene.terrain->heights.size()) * 2.0 * kTriangle;
+    for (const auto& [node, model] : scene.models)
+      if (model) stateBytes += static_cast<double>(model->triangleCount()) * kTriangle;
   }
 
  private:
@@ -82,6 +85,7 @@ class ExposureProcess final : public Process {
     m_field = nullptr;
     m_key = {};
     m_ground = makeSnowGround(scene);
+    for (const std::string& message : m_ground->messages) logWarning(message);
     context.exchange.emplace<SnowGroundPointer>(m_ground);
   }
 

@@ -41,7 +41,7 @@ FlakeNature natureOf(std::uint64_t seed, std::size_t id) {
 
 double wrapped(double value, double period) {
   const double inside = value - period * std::floor(value / period);
-  return inside < period ? inside : 0.0;
+  return inside >= period ? 0.0 : inside;  // a NaN goes on and is found
 }
 
 /// Flakes fall by the drag law in one periodic box. Their flutter is a swing about that path, a function of

@@ -67,6 +67,16 @@ CellSums gatherCell(const Gather& gather, const Sampler& sampler, const UInt4& s
   return sums;
 }
 
+/// Half the difference of the means of the two halves of the rays, which has the spread of the mean of all;
+/// with one ray there are no halves.
+double halfDifference(const CellSums& sums, std::size_t rays) {
+  const std::size_t first = rays / 2;
+  if (first == 0) return 0.0;
+  const double early = sums.visibleFirstHalf / static_cast<double>(first);
+  const double late = (sums.visible - sums.visibleFirstHalf) / static_cast<double>(rays - first);
+  return 0.5 * (early - late);
+}
+
 /// All cells of one grid. False when cancelled.
 template <class Sampler>
 bool gatherGrid(const Gather& gather, const Sampler& prototype, const CoverGrid& grid, std::size_t gridIndex,
@@ -80,25 +90,25 @@ bool gatherGrid(const Gather& gather, const Sampler& prototype, const CoverGrid&
   for (std::size_t block = 0; block < cells; block += kCellBlock) {
     const std::size_t count = std::min(kCellBlock, cells - block);
     std::vector<ChunkSums> partial((count + kCellChunk - 1) / kCellChunk);
-    workshop.backend.forChunks(
-        "exposure", count, kCellChunk, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-          Sampler sampler = prototype;
-          ChunkSums sums;
-          for (std::size_t cell = block + begin; cell < block + end; ++cell) {
-            if (workshop.cancel.cancelled()) return;
-            if (!sampler.enter(cell)) continue;
-            const CellSums found = gatherCell(gather, sampler, random.words(cell));
-            const double area = static_cast<double>(grid.area.values[cell]);
-            values.exposure[cell] = static_cast<float>(found.visible / rays);
-            values.held[cell] = static_cast<float>(found.held / rays);
-            sums.held += static_cast<double>(values.held[cell]) * area;
-            sums.shed += found.shed / rays * area;
-            const double halves = (2.0 * found.visibleFirstHalf - found.visible) / rays;
-            sums.halfSquares += halves * halves;
-            sums.cells += 1.0;
-          }
-          partial[chunk] = sums;
-        });
+    workshop.backend.forChunks("exposure", count, kCellChunk,
+                               [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+                                 Sampler sampler = prototype;
+                                 ChunkSums sums;
+                                 for (std::size_t cell = block + begin; cell < block + end; ++cell) {
+                                   if (workshop.cancel.cancelled()) return;
+                                   if (!sampler.enter(cell)) continue;
+                                   const CellSums found = gatherCell(gather, sampler, random.words(cell));
+                                   const double area = static_cast<double>(grid.area.values[cell]);
+                                   values.exposure[cell] = static_cast<float>(found.visible / rays);
+                                   values.held[cell] = static_cast<float>(found.held / rays);
+                                   sums.held += static_cast<double>(values.held[cell]) * area;
+                                   sums.shed += found.shed / rays * area;
+                                   const double halves = halfDifference(found, gather.points.size());
+                                   sums.halfSquares += halves * halves;
+                                   sums.cells += 1.0;
+                                 }
+                                 partial[chunk] = sums;
+                               });
     if (workshop.cancel.cancelled()) return false;
     for (const ChunkSums& sums : partial) {
       total.held += sums.held;
@@ -155,7 +165,8 @@ Status gatherCover(const SceneSnapshot& snapshot, const SnowGround& ground, cons
   field.rates.gathered.models = onModels.held + onModels.shed;
   // Half the difference of two halves has the spread of the whole's mean.
   const double cells = onGround.cells + onModels.cells;
-  if (cells > 0.0) field.samplingRmse = std::sqrt((onGround.halfSquares + onModels.halfSquares) / cells);
+  if (cells > 0.0 && settings.rays > 1)
+    field.samplingRmse = std::sqrt((onGround.halfSquares + onModels.halfSquares) / cells);
   return {};
 }
 

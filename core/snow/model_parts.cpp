@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <tuple>
 #include <unordered_map>
 
@@ -49,39 +50,121 @@ std::vector<Corners> weldedCorners(const std::vector<PlacedTriangle>& triangles)
   return corners;
 }
 
-using EdgeMap = std::unordered_map<std::uint64_t, std::vector<std::uint32_t>>;
+/// Triangles that stand where another one stands already, wound either way: the second side of two-sided
+/// sheets, and doubled faces. Snow lies there once.
+std::vector<char> doubles(const std::vector<Corners>& corners) {
+  std::set<Corners> known;
+  std::vector<char> found(corners.size());
+  for (std::size_t t = 0; t < corners.size(); ++t) {
+    Corners sorted = corners[t];
+    std::sort(sorted.begin(), sorted.end());
+    found[t] = known.insert(sorted).second ? 0 : 1;
+  }
+  return found;
+}
 
-EdgeMap edgesOf(const std::vector<Corners>& corners) {
+/// A triangle at an edge, and whether its winding goes along it from the lower to the higher corner.
+struct EdgeUse {
+  std::uint32_t triangle;
+  bool upward;
+};
+using EdgeMap = std::unordered_map<std::uint64_t, std::vector<EdgeUse>>;
+
+EdgeMap edgesOf(const std::vector<Corners>& corners, const std::vector<char>& leftOut) {
   EdgeMap edges;
   for (std::size_t t = 0; t < corners.size(); ++t)
-    for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t c = 0; c < 3 && !leftOut[t]; ++c) {
       const std::uint64_t a = corners[t][c], b = corners[t][(c + 1) % 3];
-      if (a != b) edges[std::min(a, b) << 32 | std::max(a, b)].push_back(static_cast<std::uint32_t>(t));
+      if (a != b)
+        edges[std::min(a, b) << 32 | std::max(a, b)].push_back({static_cast<std::uint32_t>(t), a < b});
     }
   return edges;
 }
 
-/// Per triangle: +1 or -1 where it bounds a closed surface (the winding's side that is outside), 0 where
-/// open.
-std::vector<int> outwardSides(const std::vector<PlacedTriangle>& triangles, const EdgeMap& edges) {
-  DisjointSets sets(triangles.size());
-  for (const auto& [edge, around] : edges)
-    for (const std::uint32_t t : around) sets.join(around.front(), t);
-  std::vector<double> volume(triangles.size(), 0.0);
-  std::vector<char> open(triangles.size(), 0);
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    const PlacedTriangle& triangle = triangles[t];
-    volume[sets.find(t)] += dot(triangle.corners[0].to<double>(), triangle.normal());
+/// Surfaces whose triangles meet two by two, each made of one winding. Where more than two meet at an edge
+/// the surfaces end there for this purpose.
+class Shells {
+ public:
+  Shells(const std::vector<PlacedTriangle>& triangles, const EdgeMap& edges)
+      : m_triangles(&triangles),
+        m_neighbours(triangles.size()),
+        m_shell(triangles.size(), kNone),
+        m_turn(triangles.size(), 1) {
+    for (const auto& [edge, uses] : edges) {
+      if (uses.size() != 2) continue;
+      // Two triangles of one winding pass their edge in opposite directions.
+      const int same = uses[0].upward != uses[1].upward ? 1 : -1;
+      m_neighbours[uses[0].triangle].push_back({uses[1].triangle, same});
+      m_neighbours[uses[1].triangle].push_back({uses[0].triangle, same});
+    }
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+      if (m_shell[t] == kNone) collect(t);
+    for (const auto& [edge, uses] : edges) countEnds(uses);
   }
-  for (const auto& [edge, around] : edges)
-    if (around.size() % 2 != 0) open[sets.find(around.front())] = 1;
-  std::vector<int> side(triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    const std::uint32_t set = sets.find(t);
-    side[t] = open[set] ? 0 : (volume[set] < 0.0 ? -1 : 1);
+
+  /// +1 or -1 where the triangle bounds a closed surface (the winding's side that is outside), 0 where that
+  /// is open or has no sides.
+  int outwardSide(std::uint32_t triangle) const {
+    const Shell& shell = m_shells[m_shell[triangle]];
+    // A sheet folded onto itself encloses nothing.
+    const bool flat = std::abs(shell.volume) <= 1e-6 * std::pow(shell.area, 1.5);
+    if (shell.open || shell.oneSided || flat) return 0;
+    return m_turn[triangle] * (shell.volume < 0.0 ? -1 : 1);
   }
-  return side;
-}
+
+ private:
+  static constexpr std::uint32_t kNone = UINT32_MAX;
+  struct Shell {
+    double volume = 0.0, area = 0.0;
+    bool open = false, oneSided = false;
+  };
+  struct Neighbour {
+    std::uint32_t triangle;
+    int same;
+  };
+
+  /// All triangles that hang together with the first, turned to its winding.
+  void collect(std::uint32_t first) {
+    const auto number = static_cast<std::uint32_t>(m_shells.size());
+    Shell shell;
+    const Vec3d origin = (*m_triangles)[first].corners[0].to<double>();
+    std::vector<std::uint32_t> waiting{first};
+    m_shell[first] = number;
+    while (!waiting.empty()) {
+      const std::uint32_t t = waiting.back();
+      waiting.pop_back();
+      const PlacedTriangle& triangle = (*m_triangles)[t];
+      const Vec3d normal = triangle.normal();
+      shell.volume += m_turn[t] * dot(triangle.corners[0].to<double>() - origin, normal) / 6.0;
+      shell.area += 0.5 * length(normal);
+      for (const Neighbour& next : m_neighbours[t]) {
+        const int turn = m_turn[t] * next.same;
+        if (m_shell[next.triangle] == number) {
+          shell.oneSided = shell.oneSided || m_turn[next.triangle] != turn;
+          continue;
+        }
+        m_shell[next.triangle] = number;
+        m_turn[next.triangle] = turn;
+        waiting.push_back(next.triangle);
+      }
+    }
+    m_shells.push_back(shell);
+  }
+
+  /// A surface is closed where it passes every edge an even number of times.
+  void countEnds(const std::vector<EdgeUse>& uses) {
+    std::map<std::uint32_t, int> count;
+    for (const EdgeUse& use : uses) ++count[m_shell[use.triangle]];
+    for (const auto& [shell, times] : count)
+      if (times % 2 != 0) m_shells[shell].open = true;
+  }
+
+  const std::vector<PlacedTriangle>* m_triangles;
+  std::vector<std::vector<Neighbour>> m_neighbours;
+  std::vector<std::uint32_t> m_shell;
+  std::vector<int> m_turn;  ///< -1 where the winding goes against that of the shell's first triangle
+  std::vector<Shell> m_shells;
+};
 
 bool facesUp(const PlacedTriangle& triangle, int side, double minUpward) {
   const Vec3d n = triangle.normal();
@@ -94,18 +177,28 @@ bool facesUp(const PlacedTriangle& triangle, int side, double minUpward) {
 }  // namespace
 
 std::vector<ModelPart> upFacingParts(const std::vector<PlacedTriangle>& triangles, double minUpward) {
-  const EdgeMap edges = edgesOf(weldedCorners(triangles));
-  const std::vector<int> side = outwardSides(triangles, edges);
-  std::vector<char> up(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    up[t] = facesUp(triangles[t], side[t], minUpward) ? 1 : 0;
+  return modelSurface(triangles, minUpward).parts;
+}
 
+ModelSurface modelSurface(const std::vector<PlacedTriangle>& triangles, double minUpward) {
+  const std::vector<Corners> corners = weldedCorners(triangles);
+  ModelSurface surface;
+  surface.doubled = doubles(corners);
+  const EdgeMap edges = edgesOf(corners, surface.doubled);
+  const Shells shells(triangles, edges);
+  surface.outward.resize(triangles.size());
+  std::vector<char> up(triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (surface.doubled[t]) continue;
+    surface.outward[t] = static_cast<signed char>(shells.outwardSide(t));
+    up[t] = facesUp(triangles[t], surface.outward[t], minUpward) ? 1 : 0;
+  }
   DisjointSets sets(triangles.size());
-  for (const auto& [edge, around] : edges) {
+  for (const auto& [edge, uses] : edges) {
     const auto first =
-        std::find_if(around.begin(), around.end(), [&](std::uint32_t t) { return up[t] != 0; });
-    for (auto it = first; it != around.end(); ++it)
-      if (up[*it]) sets.join(*first, *it);
+        std::find_if(uses.begin(), uses.end(), [&](const EdgeUse& use) { return up[use.triangle] != 0; });
+    for (auto it = first; it != uses.end(); ++it)
+      if (up[it->triangle]) sets.join(first->triangle, it->triangle);
   }
   std::map<std::uint32_t, ModelPart> bySet;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
@@ -114,11 +207,10 @@ std::vector<ModelPart> upFacingParts(const std::vector<PlacedTriangle>& triangle
     part.triangles.push_back(t);
     part.planArea += 0.5 * std::abs(triangles[t].normal().z);
   }
-  std::vector<ModelPart> parts;
-  for (auto& [set, part] : bySet) parts.push_back(std::move(part));
-  std::stable_sort(parts.begin(), parts.end(),
+  for (auto& [set, part] : bySet) surface.parts.push_back(std::move(part));
+  std::stable_sort(surface.parts.begin(), surface.parts.end(),
                    [](const ModelPart& a, const ModelPart& b) { return a.planArea > b.planArea; });
-  return parts;
+  return surface;
 }
 
 }  // namespace spin

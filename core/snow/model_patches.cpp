@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/base/log.h"
 #include "core/snow/model_parts.h"
 #include "core/snow/snow_ground.h"
 
@@ -122,7 +121,8 @@ void fillPatch(const ModelGround& model, std::vector<CellPiece>& pieces, ModelPa
 }
 
 /// Cell size that keeps all patches of the model within the cap.
-double cellWithinCap(const ModelGround& model, const std::vector<ModelPart>& parts, double wanted) {
+double cellWithinCap(const ModelGround& model, const std::vector<ModelPart>& parts, double wanted,
+                     std::vector<std::string>& messages) {
   std::vector<Vec3d> sizes;
   for (const ModelPart& part : parts) sizes.push_back(boxOf(model, part).size());
   const auto cellsOf = [&](double cell) {
@@ -133,21 +133,28 @@ double cellWithinCap(const ModelGround& model, const std::vector<ModelPart>& par
   double cell = wanted;
   while (cellsOf(cell) > kMostPatchCells) cell *= 1.3;
   if (cell > wanted)
-    logWarning(
+    messages.push_back(
         fmt::format("The snow cover on model '{}' has cells of {:.2f} m instead of {:.2f} m to stay "
                     "below {:.0f} cells",
                     model.node, cell, wanted, kMostPatchCells));
   return cell;
 }
 
+void addBare(ModelGround& model, const ModelSurface& surface, const std::vector<char>& covered) {
+  for (std::uint32_t t = 0; t < model.triangles.size(); ++t)
+    if (!covered[t] && !surface.doubled[t]) model.bare.push_back({t, surface.outward[t]});
+}
+
 }  // namespace
 
-void addModelPatches(ModelGround& model, double cellSize, double minUpward, CoverLayout& layout) {
-  std::vector<ModelPart> parts = upFacingParts(model.triangles, minUpward);
+void addModelPatches(ModelGround& model, double cellSize, double minUpward, CoverLayout& layout,
+                     std::vector<std::string>& messages) {
+  const ModelSurface surface = modelSurface(model.triangles, minUpward);
+  std::vector<ModelPart> parts = surface.parts;
   const auto tooSmall = [&](const ModelPart& part) { return part.planArea < 2.0 * cellSize * cellSize; };
   parts.erase(std::find_if(parts.begin(), parts.end(), tooSmall), parts.end());
   if (parts.size() > kMostPatches) parts.resize(kMostPatches);
-  const double cell = cellWithinCap(model, parts, cellSize);
+  const double cell = cellWithinCap(model, parts, cellSize, messages);
 
   std::vector<char> covered(model.triangles.size(), 0);
   for (std::size_t p = 0; p < parts.size(); ++p) {
@@ -167,8 +174,11 @@ void addModelPatches(ModelGround& model, double cellSize, double minUpward, Cove
     model.patches.push_back(std::move(patch));
     layout.grids.push_back(std::move(grid));
   }
-  for (std::uint32_t t = 0; t < model.triangles.size(); ++t)
-    if (!covered[t]) model.bare.push_back(t);
+  addBare(model, surface, covered);
+}
+
+void leaveBare(ModelGround& model) {
+  addBare(model, modelSurface(model.triangles, 1.0), std::vector<char>(model.triangles.size(), 0));
 }
 
 }  // namespace spin

@@ -3,9 +3,8 @@
 #include "core/snow/snow_ground.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 
-#include "core/base/log.h"
 #include "core/base/units.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
@@ -34,10 +33,11 @@ std::vector<PlacedTriangle> placedTriangles(const ModelData& model, const Transf
 SnowGroundPointer makeSnowGround(const SceneSnapshot& scene) {
   auto ground = std::make_shared<SnowGround>();
   auto layout = std::make_shared<CoverLayout>();
-  addTerrainGrids(scene, *layout, ground->terrain);
+  addTerrainGrids(scene, *layout, *ground);
   const auto settings = scene.settings<SimulationNode>(0.0);
   const double shedsAbove = std::max(settings.shedsAboveDegrees, settings.holdsBelowDegrees);
-  const double minUpward = std::cos(degreesToRadians(shedsAbove));
+  // A surface just at the angle still counts: level roofs hold snow where level ground does. Walls never do.
+  const double minUpward = std::max(std::cos(degreesToRadians(shedsAbove)) - 1e-9, kLeastUpward);
   for (const SceneNode* node : scene.all<ModelNode>()) {
     const auto found = scene.models.find(node->id);
     if (found == scene.models.end() || !found->second) continue;
@@ -47,14 +47,13 @@ SnowGroundPointer makeSnowGround(const SceneSnapshot& scene) {
     model.node = node->id;
     model.turns = modelTurns(*node);
     model.triangles = placedTriangles(*found->second, scene.modelTransform(*node, 0.0));
-    if (data.catchesSnow && !model.turns) {
-      addModelPatches(model, data.coverCell, minUpward, *layout);
-    } else {
-      model.bare.resize(model.triangles.size());
-      std::iota(model.bare.begin(), model.bare.end(), 0u);
-    }
+    if (data.catchesSnow && !model.turns)
+      addModelPatches(model, data.coverCell, minUpward, *layout, ground->messages);
+    else
+      leaveBare(model);
     if (data.catchesSnow && model.turns)
-      logWarning("Model '" + node->id + "' turns or changes size during the film, so no snow stays on it");
+      ground->messages.push_back("Model '" + node->id +
+                                 "' turns or changes size during the film, so no snow stays on it");
     ground->models.push_back(std::move(model));
   }
   ground->layout = std::move(layout);

@@ -46,11 +46,17 @@ struct ModelPatch {
   std::vector<PatchPiece> pieces;
 };
 
+/// A triangle of a model that belongs to no patch.
+struct BareTriangle {
+  std::uint32_t triangle = 0;  ///< index into the model's triangles
+  signed char outward = 0;     ///< the side of its winding that snow can reach; 0 = both
+};
+
 struct ModelGround {
   std::string node;
   bool turns = false;                     ///< rotation or scale changes during the film: keeps no snow
   std::vector<PlacedTriangle> triangles;  ///< at film time 0
-  std::vector<std::uint32_t> bare;        ///< triangles that belong to no patch
+  std::vector<BareTriangle> bare;
   std::vector<ModelPatch> patches;
 };
 
@@ -58,8 +64,9 @@ struct ModelGround {
 /// run from the scene at film time 0; a pure function of the scene.
 struct SnowGround {
   std::shared_ptr<const CoverLayout> layout;
-  std::vector<TerrainGrid> terrain;  ///< empty without terrain
-  std::vector<ModelGround> models;   ///< enabled models with data
+  std::vector<TerrainGrid> terrain;   ///< empty without terrain
+  std::vector<ModelGround> models;    ///< enabled models with data
+  std::vector<std::string> messages;  ///< what was made coarser than asked for, and what keeps no snow
 };
 using SnowGroundPointer = std::shared_ptr<const SnowGround>;
 
@@ -68,6 +75,8 @@ SnowGroundPointer makeSnowGround(const SceneSnapshot& scene);
 /// All triangles of a model under the linear part of a placement.
 std::vector<PlacedTriangle> placedTriangles(const ModelData& model, const Transform& placement);
 
+inline constexpr double kLeastUpward = 0.01;  ///< n_z below which a surface is a wall
+
 /// Cells of all fine terrain grids together; above it their cells are made larger, with a message.
 inline constexpr double kMostFineCells = 4e6;
 /// Cells of all patches of one model; above it they are made larger, with a message.
@@ -75,11 +84,14 @@ inline constexpr double kMostPatchCells = 1e6;
 /// Patches of one model, the largest first; snow on smaller parts is booked as shed.
 inline constexpr std::size_t kMostPatches = 256;
 
-/// Appends the coarse grid and the fine grids near models.
-void addTerrainGrids(const SceneSnapshot& scene, CoverLayout& layout, std::vector<TerrainGrid>& terrain);
+/// Appends the coarse grid and the fine grids near models to the ground and its layout.
+void addTerrainGrids(const SceneSnapshot& scene, CoverLayout& layout, SnowGround& ground);
 /// 1 for the quads of the terrain that fine grids account for, by quad.
 Raster<std::uint8_t> supersededQuads(const Raster<float>& heights, const SnowGround& ground);
 /// Appends the patches of a model's up-facing parts: those whose upward normal's z is above minUpward.
-void addModelPatches(ModelGround& model, double cellSize, double minUpward, CoverLayout& layout);
+void addModelPatches(ModelGround& model, double cellSize, double minUpward, CoverLayout& layout,
+                     std::vector<std::string>& messages);
+/// All of a model is bare.
+void leaveBare(ModelGround& model);
 
 }  // namespace spin

@@ -132,7 +132,7 @@ void addModel(SnowScene& scene, StandingModel& model) {
   model.geometry = scene.rays->addTriangles(soup.positions, soup.indices);
 }
 
-/// Sets domain, floor, centre and offset from what stands in the scene.
+/// Sets domain, floor, centre and tolerance from what stands in the scene.
 void setDomain(SnowScene& scene, const Box3d& ground) {
   Box3d models;
   for (const StandingModel& model : scene.models)
@@ -152,8 +152,7 @@ void setDomain(SnowScene& scene, const Box3d& ground) {
   scene.level = scene.domain.min.z;
   scene.centre = scene.domain.centre();
   const Vec3d half = scene.domain.size() * 0.5;
-  // About 30 times the spacing of floats at the domain's rim.
-  scene.offset = 4e-6 * std::max({half.x, half.y, half.z}) + 1e-6;
+  scene.tolerance = 8e-5 * std::max({half.x, half.y, half.z}) + 2e-5;
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -30,8 +32,8 @@ struct StandingModel {
 struct SnowScene {
   std::unique_ptr<RayScene> rays;  ///< coordinates less `centre`, to keep float's digits
   Vec3d centre{};
-  Box3d domain;         ///< local m; empty if there is nothing to land on
-  double offset = 0.0;  ///< m, by which ray origins stand off their surface
+  Box3d domain;            ///< local m; empty if there is nothing to land on
+  double tolerance = 0.0;  ///< m, within which a packet's end counts as on the ground
   bool hasTerrain = false;
   std::uint32_t terrainGeometry = 0, skirtGeometry = 0;
   std::vector<SkirtEdge> skirts;
@@ -39,10 +41,17 @@ struct SnowScene {
   double airVolume = 0.0;             ///< m3 in the domain above the terrain
   double level = 0.0;                 ///< height of the domain's floor
 
+  /// How far a ray's origin stands off its surface, m: a few times the spacing of floats there, so that it
+  /// lies on the right side of its own triangle and yet jumps through no sheet that is thicker.
+  static double standOff(Vec3d p) {
+    return 1e-6 + 6e-7 * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+
   /// Ray that asks whether snow falling along `fall` (unit) reaches a point of a surface whose unit normal on
   /// the side in question is `side`.
   Ray towardsSky(Vec3d point, Vec3d side, Vec3d fall) const {
-    const Vec3d from = point + side * offset - centre;
+    const Vec3d p = point - centre;
+    const Vec3d from = p + side * standOff(p);
     return {from.to<float>(), (-fall).to<float>(), 0.0f, std::numeric_limits<float>::infinity()};
   }
 };

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/base/log.h"
 #include "core/fields/terrain_surface.h"
 #include "core/nodes/terrain_node.h"
 #include "core/snow/snow_ground.h"
@@ -81,13 +80,14 @@ std::vector<QuadBlock> fineBlocks(const SceneSnapshot& scene, double margin) {
 }
 
 /// Fine cells along a quad, within the cap; 0 or 1 means that the coarse cells are fine enough.
-int refinementFor(const std::vector<QuadBlock>& blocks, double quadSize, double wanted) {
+int refinementFor(const std::vector<QuadBlock>& blocks, double quadSize, double wanted,
+                  std::vector<std::string>& messages) {
   double quads = 0.0;
   for (const QuadBlock& block : blocks) quads += block.quads();
   const double asked = std::ceil(quadSize / wanted - 1e-9);
   const double most = quads > 0.0 ? std::floor(std::sqrt(kMostFineCells / quads)) : 0.0;
   if (asked > most && quads > 0.0)
-    logWarning(
+    messages.push_back(
         fmt::format("The fine snow cover near models would need {:.0f} cells; its cells are {:.2f} m "
                     "instead of {:.2f} m to stay below {:.0f}",
                     quads * asked * asked, quadSize / std::max(most, 1.0), wanted, kMostFineCells));
@@ -137,7 +137,7 @@ CoverGrid fineGrid(const TerrainSurface& surface, const std::string& node, const
 
 }  // namespace
 
-void addTerrainGrids(const SceneSnapshot& scene, CoverLayout& layout, std::vector<TerrainGrid>& terrain) {
+void addTerrainGrids(const SceneSnapshot& scene, CoverLayout& layout, SnowGround& ground) {
   if (!scene.terrain || scene.terrain->heights.empty()) return;
   const SceneNode* node = scene.first<TerrainNode>();
   const auto settings = scene.settings<TerrainNode>(0.0);
@@ -146,9 +146,10 @@ void addTerrainGrids(const SceneSnapshot& scene, CoverLayout& layout, std::vecto
   std::vector<QuadBlock> blocks;
   const Raster<float>& h = surface.heights();
   if (h.width > 1 && h.height > 1) blocks = fineBlocks(scene, settings.coverDetailMargin);
-  const int divisions = refinementFor(blocks, h.cellSize, settings.coverDetailCell);
+  const int divisions = refinementFor(blocks, h.cellSize, settings.coverDetailCell, ground.messages);
   if (divisions <= 1) blocks.clear();
 
+  std::vector<TerrainGrid>& terrain = ground.terrain;
   terrain.push_back({layout.grids.size(), 0, 0, 0});
   layout.grids.push_back(coarseGrid(surface, id, blocks));
   for (const QuadBlock& block : blocks) {

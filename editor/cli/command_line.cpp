@@ -180,7 +180,7 @@ int infoCommand(Words& words, const CancelToken& cancel) {
   FrameStoreOptions options;
   options.directory = cacheFolderFor(opened->file, words.job.cache, words.job.output);
   FrameStore store(options);
-  store.setKeys(frameKeys(*opened->snapshot, runOptionsFor(words.job, range.last)));
+  store.setKeys(validKeys(*opened->snapshot, runOptionsFor(words.job, range.last), store));
   const JsonValue info = sceneInfo(*opened, store, range);
   std::fputs((words.json ? writeJson(info) : infoText(info)).c_str(), stdout);
   return 0;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/fields/terrain_surface.h"
 #include "core/nodes/ground_nodes.h"
 #include "core/nodes/settings_nodes.h"
@@ -61,12 +64,26 @@ void checkLayers(const SceneSnapshot& scene, Problems& problems) {
   }
 }
 
+double distanceInPlan(const Box3d& box, Vec3d p) {
+  return std::hypot(std::max({box.min.x - p.x, 0.0, p.x - box.max.x}),
+                    std::max({box.min.y - p.y, 0.0, p.y - box.max.y}));
+}
+
 void checkModels(const SceneSnapshot& scene, Problems& problems) {
   if (!scene.terrain) return;
   const TerrainSurface surface(scene.terrain->heights);
+  const Box3d land = boundsOf(scene.terrain->heights);
+  const double width = std::max(land.size().x, land.size().y);
   for (const SceneNode* node : scene.all<ModelNode>()) {
     const auto* model = node->as<ModelNode>();
     const Vec3d place = scene.modelTransform(*node, 0.0).translation;
+    const double away = distanceInPlan(land, place);
+    if (away > width)
+      problems.push_back({node->id,
+                          fmt::format("it stands {:.1f} km outside the terrain: the air over all of that is "
+                                      "simulated, and the mass budget loses digits",
+                                      away * 1e-3),
+                          false});
     if (model && model->onGround && !surface.heightAt(place.x, place.y))
       problems.push_back({node->id,
                           "it should stand on the ground, but lies outside the terrain or over a hole of it",

@@ -6,6 +6,8 @@
 
 #include <limits>
 
+#include "core/base/random.h"
+
 namespace spin {
 namespace {
 
@@ -105,11 +107,79 @@ TEST(TerrainSurfaceTest, VerticalRaysHitOnlyTowardsTheSurface) {
   EXPECT_FALSE(surface.raycast({0, 0, 500}, {0, 0, -1}));
 }
 
+TEST(TerrainSurfaceTest, NearlyVerticalRaysHit) {
+  const Raster<float> level(128, 128, 0, 0, 5, 0.0f);
+  const TerrainSurface surface(level);
+  for (const double tilt : {0.0, 1e-15, 1e-9, 1e-4, 1e-3, 2e-3, 3e-3, 1e-2})
+    for (const Vec3d from : {Vec3d{320, 320, 300}, Vec3d{321.3, 318.7, 300}}) {
+      const auto hit = surface.raycast(from, {tilt, -0.5 * tilt, -1});
+      ASSERT_TRUE(hit) << tilt;
+      EXPECT_NEAR(hit->x, from.x + 300 * tilt, 1e-6);
+      EXPECT_NEAR(hit->z, 0.0, 1e-6);
+    }
+}
+
+TEST(TerrainSurfaceTest, NarrowRidgesAreNotSkipped) {
+  Raster<float> ridge(64, 64, 0, 0, 5, 0.0f);
+  for (int j = 0; j < 64; ++j) ridge.at(30, j) = 1.0f;
+  const TerrainSurface surface(ridge);
+  for (int k = 0; k < 50; ++k) {
+    const auto hit = surface.raycast({10.0 + 0.37 * k, 150.0 + 0.1 * k, 0.95}, {1, 0.01 * (k % 5), 0});
+    ASSERT_TRUE(hit) << k;
+    EXPECT_NEAR(hit->x, 149.75, 1e-6);
+  }
+}
+
+/// Rays through random points of rough ground, from all sides and from outside the raster, stop at the
+/// surface and never beyond the point they are aimed at; what they hit first, a search in small steps hits
+/// too.
+TEST(TerrainSurfaceTest, RaysThroughRoughGroundStopAtTheFirstTriangle) {
+  Raster<float> rough(40, 40, 0, 0, 2, 0.0f);
+  const CounterRandom random{7, 3};
+  for (std::size_t c = 0; c < rough.size(); ++c)
+    rough.values[c] = static_cast<float>(6.0 * random.uniformDouble(c));
+  rough.at(12, 17) = kHole;
+  const TerrainSurface surface(rough);
+  int hits = 0;
+  for (std::uint64_t k = 0; k < 400; ++k) {
+    const CounterRandom own{k, 5};
+    const Vec3d aim{78.0 * own.uniformDouble(0), 78.0 * own.uniformDouble(1), 0.0};
+    const auto z = surface.heightAt(aim.x, aim.y);
+    if (!z) continue;
+    const Vec3d target{aim.x, aim.y, *z};
+    const Vec3d from{200.0 * own.uniformDouble(2) - 60.0, 200.0 * own.uniformDouble(3) - 60.0,
+                     8.0 + 60.0 * own.uniformDouble(4)};
+    const auto hit = surface.raycast(from, target - from);
+    ASSERT_TRUE(hit) << k;
+    ++hits;
+    const double reach = length(*hit - from);
+    EXPECT_LE(reach, length(target - from) + 1e-6) << k;
+    const auto under = surface.heightAt(hit->x, hit->y);
+    ASSERT_TRUE(under) << k;
+    EXPECT_NEAR(hit->z, *under, 1e-6) << k;
+    const Vec3d step = normalized(target - from) * 0.01;
+    for (Vec3d p = from; length(p - from) < reach - 0.02; p = p + step)
+      ASSERT_GT(p.z, surface.heightAt(p.x, p.y).value_or(-1.0) - 1e-9) << k;
+  }
+  EXPECT_GT(hits, 300);
+}
+
 TEST(TerrainSurfaceTest, RayThatMissesHitsNothing) {
   const Raster<float> raster = plane();
   const TerrainSurface surface(raster);
   EXPECT_FALSE(surface.raycast({90, 195, 500}, {1, 1, 0}));
   EXPECT_FALSE(surface.raycast({90, 195, 500}, {-1, -1, -1}));
+}
+
+TEST(TerrainSurfaceTest, NearestHeightGoesOnBeyondTheRimAndInHoles) {
+  Raster<float> raster = plane();
+  raster.at(2, 1) = kHole;
+  const TerrainSurface surface(raster);
+  EXPECT_EQ(surface.nearestHeight(103, 204), *surface.heightAt(103, 204));
+  EXPECT_NEAR(surface.nearestHeight(140.001, 210), planeHeight(140, 210), 1e-4);
+  EXPECT_NEAR(surface.nearestHeight(90, 150), planeHeight(100, 200), 1e-4);
+  EXPECT_NEAR(surface.nearestHeight(119, 211), planeHeight(120, 220), 11.0) << "a neighbour of the hole";
+  EXPECT_EQ(TerrainSurface(Raster<float>(2, 2, 0, 0, 1, kHole)).nearestHeight(0, 0), 0.0);
 }
 
 TEST(TerrainSurfaceTest, RangeAndBoundsPassOverHoles) {

@@ -53,6 +53,18 @@ TEST(Cone, ZeroAngleGivesTheAxis) {
   EXPECT_EQ(coneDirection(frame, 0.0, 0.9, 0.1), (Vec3d{0, 0, -1}));
 }
 
+/// Leaving out short octaves takes away detail and nothing else, so coarse and fine grids agree on the rest.
+TEST(Noise, OctavesWeighTheSameOnAllGrids) {
+  for (int k = 0; k < 50; ++k) {
+    const Vec3d p{0.37 * k, 1.91 * k, 0.37};
+    const double coarse = octaveNoise(p, 24.0, 24.0, 5), fine = octaveNoise(p, 24.0, 0.5, 5);
+    const double longest = gradientNoise(p / 24.0, 5);
+    EXPECT_NEAR(coarse, 0.4 * longest, 1e-12);
+    EXPECT_LE(std::abs(fine - coarse), 0.6 + 1e-12);
+    EXPECT_NEAR(octaveNoise(p, 24.0, 12.0, 5) - coarse, 0.4 * 0.6 * gradientNoise(p / 12.0, 6), 1e-12);
+  }
+}
+
 TEST(Noise, IsContinuousBoundedAndCentred) {
   double sum = 0.0, most = 0.0, roughest = 0.0;
   const int n = 20000;

@@ -335,6 +335,34 @@ TEST(FrameStore, OnlyPurgeDeletesAndOnlyWhatIsStale) {
   EXPECT_TRUE(store.get(0) && store.get(1));
 }
 
+TEST(FrameStore, PurgingLeavesWhatAnotherProcessNeeds) {
+  const test::TemporaryFolder folder;
+  FrameStore ours({folder.path("cache")});
+  ours.setKeys(keysOf(1, 5));
+  ASSERT_TRUE(ours.put(withCover(makeFrame(1, 0), 3.0f)));
+  // Somebody else writes frames that share data which this store has not seen.
+  FrameStore theirs({folder.path("cache")});
+  theirs.setKeys(keysOf(1, 5));
+  ASSERT_TRUE(theirs.put(withCover(makeFrame(1, 3), 4.0f)));
+  ASSERT_TRUE(theirs.put(withCover(makeFrame(1, 4), 4.0f)));
+  ASSERT_TRUE(ours.purgeStale());
+  FrameStore later({folder.path("cache")});
+  later.setKeys(keysOf(1, 5));
+  EXPECT_TRUE(later.get(0) && later.get(3) && later.get(4));
+}
+
+TEST(FrameStore, SharedDataThatWasTakenAwayIsWrittenAgain) {
+  const test::TemporaryFolder folder;
+  FrameStore store({folder.path("cache")});
+  store.setKeys(keysOf(1, 2));
+  ASSERT_TRUE(store.put(withCover(makeFrame(1, 0), 3.0f)));
+  for (const std::string& file : filesIn(folder.path("cache/shared"))) fs::remove(file);
+  ASSERT_TRUE(store.put(withCover(makeFrame(1, 1), 3.0f)));
+  FrameStore later({folder.path("cache")});
+  later.setKeys(keysOf(1, 2));
+  EXPECT_TRUE(later.get(1));
+}
+
 TEST(FrameStore, AFolderThatCannotBeUsedIsAnError) {
   const test::TemporaryFolder folder;
   overwrite(folder.path("file"), "in the way");

@@ -117,6 +117,18 @@ TEST_F(Simulation, FramesCarryTheirOrigin) {
   EXPECT_EQ(frame->info.key, store.keys()[2]);
 }
 
+TEST_F(Simulation, AShorterRunLeavesLaterFramesValid) {
+  FrameStore store({folder.path("cache")});
+  ASSERT_TRUE(runSimulation(scene, store, test::testOptions(20), {}, CancelToken()));
+  ASSERT_TRUE(runSimulation(scene, store, test::testOptions(5), {}, CancelToken()));
+  EXPECT_EQ(store.state(15), FrameState::Ready);
+  ASSERT_TRUE(store.purgeStale());
+  EXPECT_TRUE(store.get(20));
+  setProperty(scene.nodes[2], "seed", std::int64_t{2});
+  ASSERT_TRUE(runSimulation(scene, store, test::testOptions(5), {}, CancelToken()));
+  EXPECT_EQ(store.state(15), FrameState::Stale) << "of another seed";
+}
+
 TEST_F(Simulation, FinishedFramesAreNotComputedAgain) {
   FrameStore store({folder.path("cache")});
   ASSERT_TRUE(runSimulation(scene, store, test::testOptions(10), {}, CancelToken()));

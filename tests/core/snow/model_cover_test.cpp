@@ -110,6 +110,103 @@ TEST(ModelCover, SheetsCountWithEitherWindingAndBoxesOnlyOutside) {
   EXPECT_NEAR(trianglesOf(box)[inverted[0].triangles[0]].corners[0].z, 2.0f, 1e-6f);
 }
 
+TEST(ModelCover, WindingsOfSingleFacesDoNotMatter) {
+  const Mesh box = boxMesh({-2, -3, 0}, {2, 3, 5});
+  // Each pair of triangles (a face of the box) turned inside out in its turn.
+  for (std::size_t face = 0; face + 6 <= box.indices.size(); face += 6) {
+    Mesh mixed = box;
+    std::swap(mixed.indices[face], mixed.indices[face + 1]);
+    std::swap(mixed.indices[face + 3], mixed.indices[face + 4]);
+    const auto triangles = placedTriangles(*modelOf(mixed), Transform{});
+    const ModelSurface surface = modelSurface(triangles, 0.5);
+    ASSERT_EQ(surface.parts.size(), 1u) << face;
+    EXPECT_NEAR(surface.parts[0].planArea, 24.0, 1e-6);
+    EXPECT_NEAR(triangles[surface.parts[0].triangles[0]].corners[0].z, 5.0f, 1e-6f)
+        << "the roof, not the floor";
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const Vec3d outward = triangles[t].normal() * double(surface.outward[t]);
+      const Vec3d middle =
+          (triangles[t].corners[0] + triangles[t].corners[1] + triangles[t].corners[2]).to<double>() / 3.0;
+      EXPECT_GT(dot(outward, middle - Vec3d{0, 0, 2.5}), 0.0) << t;
+    }
+  }
+}
+
+TEST(ModelCover, TwoSidedSheetsCountOnce) {
+  Mesh card = sheetMesh({0, 0, 1}, {3, 0, 1}, {0, 3, 1});
+  const std::size_t n = card.indices.size();
+  for (std::size_t k = 0; k < n; k += 3) {
+    card.indices.push_back(card.indices[k + 1]);
+    card.indices.push_back(card.indices[k]);
+    card.indices.push_back(card.indices[k + 2]);
+  }
+  TestScene test;
+  const Frame frame =
+      framesOf(test.land(21, 21, 2.0, flat).model("card", modelOf(card), ModelNode{}).build(), 1);
+  const CoverPart& cover = test::coverOf(frame);
+  EXPECT_NEAR(test::areaOf(cover, test::gridOf(cover, "card/0")), 9.0, 1e-4);
+  EXPECT_NEAR(test::massOn(cover, test::gridOf(cover, "card/0")), 9.0 * 0.2, 1e-4);
+  EXPECT_LT(std::abs(frame.info.figures.at("residual_models_share")), 1e-3);
+}
+
+/// Double-walled roofs and thin plates far from the scene's middle: the lower layer gets nothing, nothing is
+/// shed twice.
+TEST(ModelCover, ThinLayersShelterWhatIsBelowThem) {
+  for (const float gap : {0.002f, 0.003f, 0.02f}) {
+    Mesh roof = sheetMesh({0, 0, 2}, {5, 0, 2}, {0, 5, 2});
+    const Mesh lower = sheetMesh({0, 0, 2.0f - gap}, {5, 0, 2.0f - gap}, {0, 5, 2.0f - gap});
+    for (const std::uint32_t i : lower.indices) roof.indices.push_back(i + 4);
+    roof.positions.insert(roof.positions.end(), lower.positions.begin(), lower.positions.end());
+    TestScene test;
+    ModelNode placed, plate;
+    placed.position = {2500, 2480, 0};
+    plate.position = {60, 2500, 3};
+    const SceneSnapshot scene = test.land(517, 517, 5.0, flat)
+                                    .model("roof", modelOf(roof), placed)
+                                    .model("plate", modelOf(boxMesh({-5, -5, 0}, {5, 5, gap})), plate)
+                                    .build();
+    const Frame frame = framesOf(scene, 1);
+    const CoverPart& cover = test::coverOf(frame);
+    double onRoof = 0.0;
+    for (std::size_t g = 0; g < cover.layout->grids.size(); ++g)
+      if (cover.layout->grids[g].node == "roof") onRoof += test::massOn(cover, g);
+    EXPECT_NEAR(onRoof, 25 * 0.2, 0.01) << gap;
+    EXPECT_NEAR(test::massOn(cover, test::gridOf(cover, "plate/0")), 100 * 0.2, 0.01) << gap;
+    EXPECT_LT(frame.info.budget.get("shed"), 0.01) << gap;
+  }
+}
+
+TEST(ModelCover, LevelRoofsHoldWhatLevelGroundHolds) {
+  TestScene test;
+  test.simulation.holdsBelowDegrees = test.simulation.shedsAboveDegrees = 0.0;
+  const Frame frame = framesOf(test.land(21, 21, 2.0, flat)
+                                   .model("box", modelOf(boxMesh({-2, -3, 0}, {2, 3, 5})), ModelNode{})
+                                   .build(),
+                               1);
+  const CoverPart& cover = test::coverOf(frame);
+  EXPECT_EQ(test::massOn(cover, test::gridOf(cover, "box/0")) > 0.0, test::massOn(cover, 0) > 0.0);
+}
+
+TEST(ModelCover, TheEstimateCountsFineGridsAndPatches) {
+  TestScene test;
+  ModelNode placed;
+  placed.position = {60, 60, 0};
+  const SceneSnapshot scene =
+      test.land(24, 24, 5.0, flat).model("box", modelOf(boxMesh({-5, -5, 0}, {5, 5, 4})), placed).build();
+  double state = 0.0, frame = 0.0;
+  for (const auto& process : Pipeline::compile(scene).processes()) {
+    if (std::string_view(process->id()) != "cover") continue;
+    process->estimate(scene, state, frame);
+  }
+  SnowRun run(scene, makeBvhRayScene, 1);
+  ASSERT_TRUE(run.run(1).ok());
+  std::size_t values = 0;
+  const Frame made = run.frame();
+  for (const auto& grid : test::coverOf(made).values) values += grid.swe.size() + grid.depth.size();
+  EXPECT_NEAR(frame, static_cast<double>(values) * 1.5 * sizeof(float), 1.0) << "depth, water and exposure";
+  EXPECT_NEAR(state, static_cast<double>(values) * sizeof(double), 1.0);
+}
+
 TEST(ModelCover, StackedShelvesHaveSeparatePatchesAndTheLowerStaysBare) {
   Mesh shelves = sheetMesh({0, 0, 1}, {3, 0, 1}, {0, 3, 1});
   const Mesh upper = sheetMesh({0, 0, 2}, {3, 0, 2}, {0, 3, 2});
