@@ -22,7 +22,6 @@ SnowScene roofScene(const RaySceneFactory& makeRayScene) {
   scene.rays->addTriangles({{-200, -200, 0}, {200, -200, 0}, {200, 200, 0}, {-200, 200, 0}},
                            {0, 1, 2, 0, 2, 3});
   scene.rays->commit();
-  scene.offset = 1e-4;
   return scene;
 }
 

@@ -116,9 +116,9 @@ class CoverProcess final : public Process {
   }
 
   void estimate(const SceneSnapshot& scene, double& stateBytes, double& frameBytes) const override {
+    const SnowGroundPointer ground = makeSnowGround(scene);
     double cells = 0.0;
-    for (const CoverGrid& grid : makeSnowGround(scene)->layout->grids)
-      cells += static_cast<double>(grid.base.size());
+    for (const CoverGrid& grid : ground->layout->grids) cells += static_cast<double>(grid.base.size());
     stateBytes = cells * 2.0 * sizeof(double);
     frameBytes = cells * 3.0 * sizeof(float);
   }

@@ -194,7 +194,8 @@ TEST(ModelCover, TheEstimateCountsFineGridsAndPatches) {
   const SceneSnapshot scene =
       test.land(24, 24, 5.0, flat).model("box", modelOf(boxMesh({-5, -5, 0}, {5, 5, 4})), placed).build();
   double state = 0.0, frame = 0.0;
-  for (const auto& process : Pipeline::compile(scene).processes()) {
+  const Pipeline pipeline = Pipeline::compile(scene);
+  for (const auto& process : pipeline.processes()) {
     if (std::string_view(process->id()) != "cover") continue;
     process->estimate(scene, state, frame);
   }
