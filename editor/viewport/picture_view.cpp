@@ -77,11 +77,11 @@ void PictureView::startDrawer() {
   m_drawer = new PictureDrawer(this);
   connect(m_drawer, &PictureDrawer::started, this, [this](const QString& name) { m_rendererName = name; });
   connect(m_drawer, &PictureDrawer::drawn, this, [this](const QImage& picture, double seconds) {
-    show(picture);
+    take(picture);
     Q_EMIT drawn(seconds);
   });
   connect(m_drawer, &PictureDrawer::refined, this, [this](const QImage& picture) {
-    show(picture);
+    take(picture);
     Q_EMIT refined();
   });
   connect(m_drawer, &PictureDrawer::failed, this, [this](const QString& message) {
@@ -92,7 +92,7 @@ void PictureView::startDrawer() {
   });
 }
 
-void PictureView::show(const QImage& picture) {
+void PictureView::take(const QImage& picture) {
   m_picture = picture;
   m_notice.clear();
   update();

@@ -48,7 +48,7 @@ class PictureView : public QWidget {
   void changed();
   void send();
   void startDrawer();
-  void show(const QImage& picture);
+  void take(const QImage& picture);
 
   PictureDrawer* m_drawer = nullptr;
   PictureRequest m_request;
