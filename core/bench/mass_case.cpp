@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/bench/bench_case.h"
@@ -40,7 +41,8 @@ double aimedFlow(const SnowScene& scene, const FallCone& cone, const StandingMod
   return kPi * radius * radius * sum / static_cast<double>(kPackets);
 }
 
-/// How far the flow gathered on the model is from the aimed one, as a share of it.
+/// How far the flow gathered on the model is from the aimed one, as a share of it, or of a tenth of what
+/// falls on it in the open where it lies sheltered.
 Result<double> modelFlowError(const SceneSnapshot& scene, const BenchOptions& options) {
   CpuBackend backend(options.threads);
   const CancelToken cancel;
@@ -50,8 +52,11 @@ Result<double> modelFlowError(const SceneSnapshot& scene, const BenchOptions& op
   const ExposureSettings settings = exposureSettings(scene, 0.0);
   const auto field = makeExposureField(scene, *ground, *standing, settings, {backend, cancel, {}});
   if (!field) return field.error();
-  return std::abs(field->rates.gathered.models / aimedFlow(*standing, settings.cone, standing->models[0]) -
-                  1.0);
+  const double aimed = aimedFlow(*standing, settings.cone, standing->models[0]);
+  double plan = 0.0;
+  for (const PlacedTriangle& triangle : standing->models[0].triangles)
+    plan += 0.25 * std::abs(triangle.normal().z);  // half of them face down
+  return std::abs(field->rates.gathered.models - aimed) / std::max(aimed, 0.1 * plan);
 }
 
 Result<BenchRow> measure(const BenchOptions& options, double wind, int rays, int frames) {

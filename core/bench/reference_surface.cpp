@@ -7,18 +7,6 @@
 #include <set>
 
 namespace spin {
-namespace {
-
-/// Whether the triangle has a part over the square in plan, judged by its box.
-bool meets(const PlacedTriangle& t, double x, double y, double half) {
-  const auto [x0, x1] = std::minmax({t.corners[0].x, t.corners[1].x, t.corners[2].x});
-  const auto [y0, y1] = std::minmax({t.corners[0].y, t.corners[1].y, t.corners[2].y});
-  return static_cast<double>(x0) <= x + half && static_cast<double>(x1) >= x - half &&
-         static_cast<double>(y0) <= y + half && static_cast<double>(y1) >= y - half;
-}
-
-}  // namespace
-
 Vec3d referenceDirection(const FallCone& cone, const CounterRandom& random, std::uint64_t index) {
   const UInt4 w = random.words(index, 1);
   const double cosine = 1.0 - cone.oneMinusCos * toUnitDouble(w.x, w.y);
@@ -33,9 +21,9 @@ ReferenceSurface::ReferenceSurface(const SceneSnapshot& snapshot, const SnowGrou
     : m_snapshot(&snapshot), m_ground(&ground) {
   const Raster<float>& base = ground.layout->grids[grid].base;
   const int i = static_cast<int>(cell) % base.width, j = static_cast<int>(cell) / base.width;
-  m_x = base.x(i);
-  m_y = base.y(j);
-  m_size = base.cellSize;
+  const double half = 0.5 * base.cellSize;
+  m_low = {base.x(i) - half, base.y(j) - half};
+  m_high = {base.x(i) + half, base.y(j) + half};
   for (const TerrainGrid& terrain : ground.terrain) {
     if (terrain.grid != grid) continue;
     m_terrain = true;
@@ -45,19 +33,36 @@ ReferenceSurface::ReferenceSurface(const SceneSnapshot& snapshot, const SnowGrou
     for (const ModelPatch& patch : ground.models[m].patches) {
       if (patch.grid != grid) continue;
       m_place = scene.models[m].placement.translation;
-      std::set<std::uint32_t> sources;
-      for (const PatchPiece& piece : patch.pieces) sources.insert(piece.source);
-      for (const std::uint32_t source : sources)
-        if (meets(ground.models[m].triangles[source], m_x, m_y, 0.5 * m_size))
-          m_triangles.push_back(ground.models[m].triangles[source]);
+      addPart(ground.models[m], patch);
     }
+}
+
+/// The patch's triangles whose boxes in plan meet the cell; slivers would be hit too seldom in all of its
+/// square.
+void ReferenceSurface::addPart(const ModelGround& model, const ModelPatch& patch) {
+  std::set<std::uint32_t> sources;
+  for (const PatchPiece& piece : patch.pieces) sources.insert(piece.source);
+  Vec2d low = m_high, high = m_low;
+  for (const std::uint32_t source : sources) {
+    const PlacedTriangle& t = model.triangles[source];
+    const auto [x0, x1] = std::minmax({t.corners[0].x, t.corners[1].x, t.corners[2].x});
+    const auto [y0, y1] = std::minmax({t.corners[0].y, t.corners[1].y, t.corners[2].y});
+    const Vec2d from{std::max(m_low.x, double(x0)), std::max(m_low.y, double(y0))};
+    const Vec2d to{std::min(m_high.x, double(x1)), std::min(m_high.y, double(y1))};
+    if (from.x > to.x || from.y > to.y) continue;
+    m_triangles.push_back(t);
+    low = {std::min(low.x, from.x), std::min(low.y, from.y)};
+    high = {std::max(high.x, to.x), std::max(high.y, to.y)};
+  }
+  m_low = low;
+  m_high = high;
 }
 
 void ReferenceSurface::pointsAt(const CounterRandom& random, std::uint64_t index,
                                 std::vector<ReferencePoint>& points) const {
   const UInt4 w = random.words(index, 0);
-  const double x = m_x + m_size * (toUnitDouble(w.x, w.y) - 0.5),
-               y = m_y + m_size * (toUnitDouble(w.z, w.w) - 0.5);
+  const double x = m_low.x + (m_high.x - m_low.x) * toUnitDouble(w.x, w.y);
+  const double y = m_low.y + (m_high.y - m_low.y) * toUnitDouble(w.z, w.w);
   if (m_terrain)
     terrainPoint(x, y, points);
   else

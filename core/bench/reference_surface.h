@@ -30,14 +30,15 @@ class ReferenceSurface {
   void pointsAt(const CounterRandom& random, std::uint64_t index, std::vector<ReferencePoint>& points) const;
 
  private:
+  void addPart(const ModelGround& model, const ModelPatch& patch);
   bool fineGridCovers(double x, double y) const;
   void terrainPoint(double x, double y, std::vector<ReferencePoint>& points) const;
   void modelPoints(double x, double y, std::vector<ReferencePoint>& points) const;
 
   const SceneSnapshot* m_snapshot;
   const SnowGround* m_ground;
-  double m_x, m_y, m_size;  ///< the cell's square, m
-  bool m_coarse = false;    ///< fine grids take their part of the terrain
+  Vec2d m_low, m_high;  ///< the cell's square, m; of a model's cell the part that its triangles' boxes reach
+  bool m_coarse = false;  ///< fine grids take their part of the terrain
   bool m_terrain = false;
   Vec3d m_place{};                          ///< of the model
   std::vector<PlacedTriangle> m_triangles;  ///< of the model's part, near the cell

@@ -62,9 +62,9 @@ double octaveNoise(Vec3d position, double wavelength, double shortest, std::uint
     amplitude *= kFalling;
     wavelength *= 0.5;
   }
-  // By the sum of all amplitudes, whatever octaves are left out: grids of different cells then differ in fine
+  // By the sum of two amplitudes, whatever octaves are left out: grids of different cells then differ in fine
   // detail only.
-  return sum * (1.0 - kFalling);
+  return sum / (1.0 + kFalling);
 }
 
 }  // namespace spin

@@ -52,9 +52,9 @@ Result<PicturePainter::Drawn> PicturePainter::draw(const PictureRequest& request
   options.samples = m_software ? 1 : kSmoothSamples;
   options.width = std::max(1, static_cast<int>(std::lround(options.width * effort.scale)));
   options.height = std::max(1, static_cast<int>(std::lround(options.height * effort.scale)));
-  if (Status s = m_drawn.prepare(options.width, options.height, GL_RGBA8, 1); !s) return s.error();
   const int width = request.options.width, height = request.options.height;
   if (Status s = m_shown.prepare(width, height, GL_RGBA8, 1); !s) return s.error();
+  if (Status s = m_drawn.prepare(options.width, options.height, GL_RGBA8, 1); !s) return s.error();
   m_renderer->draw(m_drawn.framebuffer(), request.camera, request.filmTime, options);
   Drawn drawn;
   drawn.picture = read(m_drawn, width, height);

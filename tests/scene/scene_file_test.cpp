@@ -157,9 +157,10 @@ TEST(SceneFile, TellsAllProblemsAtOnce) {
   const std::string error = errorOf(readNodes(
       "{\"id\": \"w\", \"type\": \"weather\", \"enabeld\": true, \"properties\": {\"wind_sped_m_s\": 1, "
       "\"cloud_cover\": 2, \"air_temperature_c\": -3}}, {\"id\": \"c\", \"type\": \"camra\"}"));
-  for (const char* said : {"\"enabled\"", "\"wind_speed_m_s\"", "0 to 1", "\"camera\""})
+  for (const char* said :
+       {"\"enabled\"", "\"wind_speed_m_s\"", "0 to 1", "\"air_temperature_k\"", "\"camera\""})
     EXPECT_NE(error.find(said), std::string::npos) << said << " in " << error;
-  EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 3) << error;
+  EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 4) << error;
   // A file full of them is cut short, and says so.
   std::string many;
   for (int k = 0; k < 50; ++k)
