@@ -48,6 +48,8 @@ void cutIntoCells(const PlacedTriangle& triangle, std::uint32_t source, const Ra
   const auto [x0, x1] = std::minmax({whole[0].x, whole[1].x, whole[2].x});
   const auto [y0, y1] = std::minmax({whole[0].y, whole[1].y, whole[2].y});
   const double half = 0.5 * raster.cellSize;
+  // What rounding leaves where a triangle only touches a cell.
+  const double least = 1e-12 * raster.cellSize * raster.cellSize;
   const int left = std::max(raster.column(x0), 0), right = std::min(raster.column(x1), raster.width - 1);
   for (int j = std::max(raster.row(y0), 0); j <= std::min(raster.row(y1), raster.height - 1); ++j) {
     const Polygon strip = clip(clip(whole, 1, raster.y(j) - half, 1), 1, raster.y(j) + half, -1);
@@ -55,7 +57,7 @@ void cutIntoCells(const PlacedTriangle& triangle, std::uint32_t source, const Ra
       const Polygon part = clip(clip(strip, 0, raster.x(i) - half, 1), 0, raster.x(i) + half, -1);
       for (std::size_t k = 2; k < part.size(); ++k) {
         const double area = areaOf(part[0], part[k - 1], part[k]);
-        if (!(area > 0.0)) continue;
+        if (!(area > least)) continue;
         const auto corner = [](Vec2d p) { return Vec2f{static_cast<float>(p.x), static_cast<float>(p.y)}; };
         pieces.push_back({static_cast<std::uint32_t>(raster.index(i, j)),
                           {{corner(part[0]), corner(part[k - 1]), corner(part[k])}, 0.0f, source},
