@@ -53,26 +53,20 @@ double crossing(double offset, double speed) {
   return speed == 0.0 ? std::numeric_limits<double>::infinity() : offset / speed;
 }
 
-/// The stretch of the line from t = 0 on within the box, a little taller than it, so that level ground at its
-/// lid is inside.
-std::optional<Vec2d> clipToBox(const Line& line, Box3d box) {
-  if (box.empty()) return {};
-  const double margin = 1e-6 * (1.0 + length(box.size()));
-  box.min.z -= margin;
-  box.max.z += margin;
-  double enter = 0.0, leave = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    const double low = box.min[axis] - line.from[axis], high = box.max[axis] - line.from[axis];
-    const double d = line.direction[axis];
-    if (d == 0.0) {
-      if (low > 0.0 || high < 0.0) return {};
-      continue;
-    }
-    enter = std::max(enter, std::min(low / d, high / d));
-    leave = std::min(leave, std::max(low / d, high / d));
-  }
-  if (!(enter <= leave)) return {};
-  return Vec2d{enter, leave};
+/// The part of a stretch of the line in which one coordinate lies within [low, high]; empty (y < x) if there
+/// is none.
+Vec2d cut(const Line& line, Vec2d stretch, int axis, double low, double high) {
+  const double from = line.from[axis], d = line.direction[axis];
+  if (d == 0.0) return from < low || from > high ? Vec2d{1.0, 0.0} : stretch;
+  const double a = (low - from) / d, b = (high - from) / d;
+  return {std::max(stretch.x, std::min(a, b)), std::min(stretch.y, std::max(a, b))};
+}
+
+/// Lowest and highest corner of a quad, a little apart so that level quads have room for rounding.
+Vec2d quadRange(const Raster<float>& h, int i, int j) {
+  const auto [low, high] = std::minmax({h.at(i, j), h.at(i + 1, j), h.at(i, j + 1), h.at(i + 1, j + 1)});
+  const double margin = 1e-6 * (h.cellSize + static_cast<double>(std::max(std::abs(low), std::abs(high))));
+  return {static_cast<double>(low) - margin, static_cast<double>(high) + margin};
 }
 
 /// First point of the stretch [t0, t1], which lies in the quad's column, on one of the quad's triangles. Over
@@ -151,28 +145,35 @@ std::optional<Vec3d> TerrainSurface::raycast(Vec3d from, Vec3d direction) const 
   const double size = length(direction);
   if (h.width < 2 || h.height < 2 || !(size > 0.0)) return {};
   const Line line{from, direction / size};
-  const auto inside = clipToBox(line, boundsOf(h));
-  if (!inside) return {};
-  double t = inside->x;
-  const Vec3d entry = line.at(t);
+  Vec2d inside{0.0, std::numeric_limits<double>::infinity()};
+  inside = cut(line, inside, 0, h.x(0), h.x(h.width - 1));
+  inside = cut(line, inside, 1, h.y(0), h.y(h.height - 1));
+  if (!(inside.x <= inside.y)) return {};
   // Walk of Amanatides and Woo 1987 over the columns of quads, each with its exact stretch of the ray.
+  double t = inside.x;
+  const Vec3d entry = line.at(t);
   const auto cell = [&](double offset, int count) {
-    return std::clamp(static_cast<int>(std::floor(offset / h.cellSize)), 0, count - 2);
+    return static_cast<int>(std::clamp(std::floor(offset / h.cellSize), 0.0, count - 2.0));
   };
-  int i = cell(entry.x - h.originX, h.width), j = cell(entry.y - h.originY, h.height);
-  int side = 0;
+  int i = cell(entry.x - h.originX, h.width), j = cell(entry.y - h.originY, h.height), side = 0;
   const int stepI = line.direction.x < 0.0 ? -1 : 1, stepJ = line.direction.y < 0.0 ? -1 : 1;
   while (i >= 0 && j >= 0 && i + 1 < h.width && j + 1 < h.height) {
     const double outX = crossing(h.x(stepI > 0 ? i + 1 : i) - from.x, line.direction.x);
     const double outY = crossing(h.y(stepJ > 0 ? j + 1 : j) - from.y, line.direction.y);
-    const double out = std::min({outX, outY, inside->y});
-    if (!quadExists(i, j))
+    const double out = std::max(t, std::min({outX, outY, inside.y}));
+    if (!quadExists(i, j)) {
       side = 0;
-    else if (const auto hit = hitInQuad(h, i, j, line, t, std::max(t, out), side))
-      return line.at(*hit);
-    if (out >= inside->y) return {};
+    } else {
+      const Vec2d range = quadRange(h, i, j);
+      const Vec2d near = cut(line, {t, out}, 2, range.x, range.y);
+      if (!(near.x <= near.y))
+        side = line.at(t).z > range.y ? 1 : -1;
+      else if (const auto hit = hitInQuad(h, i, j, line, near.x, near.y, side))
+        return line.at(*hit);
+    }
+    if (out >= inside.y) return {};
     (outX <= outY ? i : j) += outX <= outY ? stepI : stepJ;
-    t = std::max(t, out);
+    t = out;
   }
   return {};
 }

@@ -8,16 +8,11 @@
 #include <unistd.h>
 
 namespace spin {
-namespace {
 
-constexpr int kLowPriority = 10;
-
-}  // namespace
-
-void lowerThreadPriority() {
+void lowerThreadPriority(int niceness) {
   // On Linux the niceness belongs to the thread, not to the process.
   const auto thread = static_cast<id_t>(::syscall(SYS_gettid));
-  ::setpriority(PRIO_PROCESS, thread, kLowPriority);
+  ::setpriority(PRIO_PROCESS, thread, niceness);
 }
 
 class LowPriorityArena::Observer : public oneapi::tbb::task_scheduler_observer {

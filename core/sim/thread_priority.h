@@ -8,8 +8,12 @@
 
 namespace spin {
 
-/// Makes the calling thread give way to others (nice 10).
-void lowerThreadPriority();
+/// How much a thread gives way to others: pictures come before the simulation, the window before both.
+inline constexpr int kSimulationNiceness = 10;
+inline constexpr int kDrawingNiceness = 5;
+
+/// Makes the calling thread, and the threads it starts from now on, give way to others.
+void lowerThreadPriority(int niceness = kSimulationNiceness);
 
 /// While it lives, the worker threads that enter the arena give way to others; they keep that priority.
 class LowPriorityArena {

@@ -15,6 +15,7 @@
 #include "editor/app/main_window.h"
 #include "editor/app/tool_icons.h"
 #include "editor/app/ui_measurement.h"
+#include "editor/viewport/picture_view.h"
 #include "editor/viewport/viewport.h"
 #include "plugins/host/plugin_host.h"
 
@@ -131,6 +132,7 @@ int runEditor(int argc, char** argv) {
     qWarning("spindrift: language %s is not there; known are: %s", qPrintable(options.language),
              qPrintable(availableLanguages().join(QStringLiteral(", "))));
   applyDarkLook(application);
+  if (screenIsThere()) loadGraphicsDriver();
 
   MainWindow window(makeHelperAssetReader());
   window.show();

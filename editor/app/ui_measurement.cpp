@@ -18,6 +18,7 @@
 namespace spin {
 namespace {
 
+constexpr int kStartMilliseconds = 1500;
 constexpr int kPlayMilliseconds = 6000;
 constexpr int kTurnMilliseconds = 100;
 constexpr double kTurnPixels = 3.0;
@@ -62,8 +63,11 @@ void UiMeasurement::start() {
   // The viewport gets the size that figures are compared at.
   const QSize around = m_window->size() - m_window->viewport().size();
   m_window->resize(around + QSize(kViewWidth, kViewHeight));
-  begin(Phase::Simulate);
-  m_window->openOrImport(m_scene);
+  // The window's own start is no part of any phase.
+  QTimer::singleShot(kStartMilliseconds, this, [this] {
+    begin(Phase::Simulate);
+    m_window->openOrImport(m_scene);
+  });
 }
 
 void UiMeasurement::begin(Phase phase) {

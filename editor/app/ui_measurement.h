@@ -48,7 +48,7 @@ class UiMeasurement : public QObject {
   MainWindow* m_window;
   QString m_scene;
   QString m_reportFile;
-  Phase m_phase = Phase::Simulate;
+  Phase m_phase = Phase::Done;
   UiWatchdog m_watchdog;
   QElapsedTimer m_elapsed;
   QTimer m_turn;

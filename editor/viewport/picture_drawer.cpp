@@ -5,6 +5,8 @@
 #include <chrono>
 #include <utility>
 
+#include "core/sim/thread_priority.h"
+
 namespace spin {
 namespace {
 
@@ -13,6 +15,15 @@ constexpr std::chrono::milliseconds kPicturePeriod{33};
 constexpr std::chrono::milliseconds kSettle{250};
 
 }  // namespace
+
+void loadGraphicsDriver() {
+  // On a thread of low priority, which the driver's own threads inherit.
+  std::thread([] {
+    lowerThreadPriority(kDrawingNiceness);
+    // A failure is told when a picture is wanted.
+    static_cast<void>(EglContext::create());
+  }).join();
+}
 
 PictureDrawer::PictureDrawer(QObject* parent) : QObject(parent), m_thread([this] { work(); }) {}
 
@@ -34,6 +45,7 @@ void PictureDrawer::request(PictureRequest request) {
 }
 
 void PictureDrawer::work() {
+  lowerThreadPriority(kDrawingNiceness);
   const auto painter = PicturePainter::create();
   if (!painter) {
     Q_EMIT failed(QString::fromStdString(painter.error().text()));

@@ -13,6 +13,10 @@
 
 namespace spin {
 
+/// Loads the graphics driver now. While a program loads a large library no thread can be started, so this is
+/// to be done before the window is there.
+void loadGraphicsDriver();
+
 /// Draws on a thread of its own, so that no scene and no driver holds up the window. Only the newest request
 /// counts; at most 30 pictures a second. A view that rests is drawn again in full detail.
 class PictureDrawer : public QObject {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "editor/viewport/scene_picker.h"
 
+#include <algorithm>
+
 #include "core/fields/terrain_surface.h"
 #include "core/nodes/camera_node.h"
 #include "core/nodes/terrain_node.h"
@@ -98,6 +100,13 @@ Box3d nodeBounds(const SceneSnapshot& scene, const std::string& id, double filmT
     }
   }
   return box;
+}
+
+bool showsNothing(const SceneSnapshot& scene) {
+  const bool land = scene.terrain && !scene.terrain->heights.empty() && scene.first<TerrainNode>();
+  return !land && std::none_of(scene.models.begin(), scene.models.end(), [](const auto& model) {
+    return model.second && !model.second->meshes.empty();
+  });
 }
 
 Box3d sceneBounds(const SceneSnapshot& scene, double filmTime) {

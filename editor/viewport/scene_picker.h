@@ -22,6 +22,8 @@ std::optional<PickHit> pickScene(const SceneSnapshot& scene, double filmTime, co
 std::optional<Vec3d> pickTerrain(const SceneSnapshot& scene, const ViewRay& ray);
 /// Bounding box of one node in local metres; empty for nodes without a place (weather, settings).
 Box3d nodeBounds(const SceneSnapshot& scene, const std::string& id, double filmTime);
+/// Neither terrain nor model is there; cheap.
+bool showsNothing(const SceneSnapshot& scene);
 /// Bounding box of all that stands in the scene.
 Box3d sceneBounds(const SceneSnapshot& scene, double filmTime);
 

@@ -173,7 +173,7 @@ void Viewport::updateOverlay() {
 
 void Viewport::paintOverlay(QPainter& painter) const {
   const ViewportContext seen = context();
-  const bool empty = !m_scene || sceneBounds(*m_scene, m_filmTime).empty();
+  const bool empty = !m_scene || showsNothing(*m_scene);
   if (empty && !m_hintTitle.isEmpty()) paintHint(painter, QRectF(m_surface->rect()), m_hintTitle, m_hintText);
   if (m_lookThrough) paintBadge(painter, tr("Camera view"));
   if (m_tool == Tool::Brush) {
