@@ -13,6 +13,20 @@ SPIN_HD_INLINE T linearPressure(T excess, T restDensity, T soundSpeed) {
   return restDensity * soundSpeed * soundSpeed * excess;
 }
 
+/// Tait's equation p = rho0 c^2/gamma ((rho/rho0)^gamma - 1) with gamma = 7 (Monaghan 1994), Pa, from excess. The power is
+/// expanded, so that small excesses keep their digits.
+template <class T>
+SPIN_HD_INLINE T taitPressure(T excess, T restDensity, T soundSpeed) {
+  // ((1 + e)^7 - 1) / e
+  T sum = excess + T(7.0f);
+  sum = sum * excess + T(21.0f);
+  sum = sum * excess + T(35.0f);
+  sum = sum * excess + T(35.0f);
+  sum = sum * excess + T(21.0f);
+  sum = sum * excess + T(7.0f);
+  return restDensity * soundSpeed * soundSpeed / T(7.0f) * excess * sum;
+}
+
 /// Negative pressure pulls particles together (tensile instability); free-surface flows clamp it.
 template <class T>
 SPIN_HD_INLINE T clampTension(T pressure) {

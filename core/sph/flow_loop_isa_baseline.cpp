@@ -2,4 +2,4 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled for baseline only, see core/CMakeLists.txt.
 #define SPIN_ISA isa_baseline
-#include "core/sph/pair_loop_impl.h"
+#include "core/sph/flow_loop_impl.h"

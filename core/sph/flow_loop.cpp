@@ -1,32 +1,32 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sph/pair_loop.h"
+#include "core/sph/flow_loop.h"
 
 #include "core/base/check.h"
 
 namespace spin {
 
 namespace isa_baseline {
-PairLoops pairLoops();
+FlowLoops flowLoops();
 }
 namespace isa_avx2 {
-PairLoops pairLoops();
+FlowLoops flowLoops();
 }
 namespace isa_avx512 {
-PairLoops pairLoops();
+FlowLoops flowLoops();
 }
 
-PairLoops pairLoopsFor(Isa isa) {
+FlowLoops flowLoopsFor(Isa isa) {
   SPIN_CHECK(cpuRuns(isa), "this processor does not have the instruction set");
   switch (isa) {
     case Isa::Avx512:
-      return isa_avx512::pairLoops();
+      return isa_avx512::flowLoops();
     case Isa::Avx2:
-      return isa_avx2::pairLoops();
+      return isa_avx2::flowLoops();
     case Isa::Baseline:
       break;
   }
-  return isa_baseline::pairLoops();
+  return isa_baseline::flowLoops();
 }
 
 }  // namespace spin

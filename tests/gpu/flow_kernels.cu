@@ -1,18 +1,21 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
 // The solver's kernels as the CUDA backend launches them, without the rest: spills.py compiles this.
-#include "core/sph/slice_kernels.h"
+#include "core/sph/flow_kernels.h"
 #include "gpu/for_each_kernel.cuh"
 
 namespace spin {
 
+template __global__ void forEachKernel(RowExtentKernel, std::size_t);
 template __global__ void forEachKernel(KeyKernel, std::size_t);
 template __global__ void forEachKernel(GatherKernel, std::size_t);
 template __global__ void forEachKernel(TakeVelocityKernel, std::size_t);
 template __global__ void forEachKernel(BinStartKernel, std::size_t);
-template __global__ void forEachKernel(DensityPairKernel, std::size_t);
+template __global__ void forEachKernel(PairKernel<DensityPass>, std::size_t);
 template __global__ void forEachKernel(PressureKernel, std::size_t);
-template __global__ void forEachKernel(ForcePairKernel, std::size_t);
+template __global__ void forEachKernel(PairKernel<ShearPass>, std::size_t);
+template __global__ void forEachKernel(PairKernel<PlainForcePass>, std::size_t);
+template __global__ void forEachKernel(PairKernel<SmoothForcePass>, std::size_t);
 template __global__ void forEachKernel(IntegrateKernel, std::size_t);
 
 }  // namespace spin

@@ -1,0 +1,332 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "core/base/atomic_extent.h"
+#include "core/physics/equation_of_state.h"
+#include "core/sph/flow_passes.h"
+#include "core/sph/row_search.h"
+
+/// The stages that go over single particles or rows, and the pair passes in their thread-per-particle form.
+namespace spin {
+
+/// Cells that particles lie in, how many particles live, and the number of one whose state is not finite.
+struct FlowBounds {
+  std::int32_t lowY, highY, lowZ, highZ;
+  std::uint32_t alive;
+  std::uint32_t broken;  ///< id, or UINT32_MAX
+};
+SPIN_HD_INLINE FlowBounds noBounds() {
+  return {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN, 0, UINT32_MAX};
+}
+struct JoinBounds {
+  SPIN_HD FlowBounds operator()(const FlowBounds& a, const FlowBounds& b) const {
+    return {a.lowY < b.lowY ? a.lowY : b.lowY,
+            a.highY > b.highY ? a.highY : b.highY,
+            a.lowZ < b.lowZ ? a.lowZ : b.lowZ,
+            a.highZ > b.highZ ? a.highZ : b.highZ,
+            a.alive + b.alive,
+            a.broken < b.broken ? a.broken : b.broken};
+  }
+};
+struct BoundsOf {
+  FlowView v;
+  SPIN_HD FlowBounds operator()(std::size_t i) const {
+    if (v.extra[i].flags & kDead) return noBounds();
+    const std::int32_t y = v.y[i] >> kCellBits, z = v.z[i] >> kCellBits;
+    const PairRecord& r = v.record[i];
+    const float sum = r.vx + r.vy + r.vz;
+    return {y, y, z, z, 1, sum - sum == 0.0f ? UINT32_MAX : v.id[i]};
+  }
+};
+
+struct ClearRowKernel {
+  FlowView v;
+  SPIN_HD void operator()(std::size_t r) const { v.rows[r] = {INT32_MAX, INT32_MIN, 0}; }
+};
+
+/// Widens each row to the bins of its particles. The order in which that happens does not matter.
+struct RowExtentKernel {
+  FlowView v;
+  SPIN_HD void operator()(std::size_t i) const {
+    if (v.extra[i].flags & kDead) return;
+    FlowRow& row = v.rows[v.grid.rowOf(v.y[i], v.z[i])];
+    const std::int32_t bin = v.x[i] >> kBinBits;
+    lowerTo(row.firstBin, bin);
+    raiseTo(row.lastBin, bin);
+  }
+};
+
+struct RowBinsKernel {
+  FlowView v;
+  std::uint32_t* bins;
+  SPIN_HD void operator()(std::size_t r) const {
+    const FlowRow& row = v.rows[r];
+    bins[r] = row.lastBin < row.firstBin ? 0u : static_cast<std::uint32_t>(row.lastBin - row.firstBin) + 1u;
+  }
+};
+
+struct RowStartKernel {
+  FlowView v;
+  const std::uint32_t* start;
+  SPIN_HD void operator()(std::size_t r) const { v.rows[r].start = start[r]; }
+};
+
+/// Sort key: the bin's number; the dead go behind all.
+struct KeyKernel {
+  FlowView v;
+  std::uint32_t binCount;
+  SPIN_HD void operator()(std::size_t i) const {
+    const FlowRow& row = v.rows[v.extra[i].flags & kDead ? 0 : v.grid.rowOf(v.y[i], v.z[i])];
+    v.key[i] = v.extra[i].flags & kDead
+                   ? binCount
+                   : row.start + static_cast<std::uint32_t>((v.x[i] >> kBinBits) - row.firstBin);
+  }
+};
+
+/// Copies particles into sorted order; velocities go by way of the acceleration arrays, which are free now.
+struct GatherKernel {
+  FlowView v;
+  const std::uint32_t* order;
+  std::int32_t *x, *y, *z;
+  ParticleExtra* extra;
+  std::uint32_t *id, *key;
+  SPIN_HD void operator()(std::size_t i) const {
+    const std::uint32_t from = order[i];
+    x[i] = v.x[from];
+    y[i] = v.y[from];
+    z[i] = v.z[from];
+    extra[i] = v.extra[from];
+    id[i] = v.id[from];
+    key[i] = v.key[from];
+    v.ax[i] = v.record[from].vx;
+    v.ay[i] = v.record[from].vy;
+    v.az[i] = v.record[from].vz;
+  }
+};
+
+struct TakeVelocityKernel {
+  FlowView v;
+  SPIN_HD void operator()(std::size_t i) const {
+    v.record[i].vx = v.ax[i];
+    v.record[i].vy = v.ay[i];
+    v.record[i].vz = v.az[i];
+  }
+};
+
+/// Particle i starts every bin after its predecessor's up to its own; i = count closes the rest.
+struct BinStartKernel {
+  FlowView v;
+  std::uint32_t binCount;
+  SPIN_HD void operator()(std::size_t i) const {
+    const std::uint32_t first = i == 0 ? 0 : v.key[i - 1] + 1;
+    const std::uint32_t last = i == v.count ? binCount : v.key[i];
+    for (std::uint32_t bin = first; bin <= last; ++bin) v.binStart[bin] = static_cast<std::uint32_t>(i);
+  }
+};
+
+/// Position in the solver's metres.
+SPIN_HD_INLINE PairVector<float> metresOf(const FlowView& v, std::size_t i) {
+  const float metres = 1.0f / v.constants.unitsPerMetre;
+  return {static_cast<float>(v.x[i]) * metres, static_cast<float>(v.y[i]) * metres,
+          static_cast<float>(v.z[i]) * metres};
+}
+
+/// Density from the pair sum and the walls' share, then pressure; the viscosity of what needs no shear rate.
+struct PressureKernel {
+  FlowView v;
+  SPIN_HD void operator()(std::size_t i) const {
+    const FlowConstants& c = v.constants;
+    const PairVector<float> p = metresOf(v, i);
+    WallShares shares;
+    bool touches = false;
+    v.walls.near(p.x, p.y, p.z, c.support, [&](const WallContact& wall) {
+      shares.add(CubicSpline::halfSpaceIntegral(wall.distance / c.support));
+      touches = true;
+    });
+    ParticleExtra& extra = v.extra[i];
+    extra.flags = touches ? extra.flags | kNearWall : extra.flags & ~kNearWall;
+    const FlowMaterial& material = c.material[extra.material];
+    const float excess = c.densityFactor * v.excess[i] + (shares.solid() - 1.0f);
+    float pressure = material.tait ? taitPressure(excess, material.restDensity, material.soundSpeed)
+                                   : linearPressure(excess, material.restDensity, material.soundSpeed);
+    if (c.clampTension) pressure = clampTension(pressure);
+    v.excess[i] = excess;
+    PairRecord& r = v.record[i];
+    r.pressureTerm = pressure / ((1.0f + excess) * (1.0f + excess));
+    r.restDensity = material.restDensity;
+    if (!material.rheology.needsShearRate()) r.viscosity = material.rheology.viscosity;
+  }
+};
+
+/// What limits the step: the least of each kind over all particles, s, and the number of a particle whose
+/// acceleration is not finite.
+struct StepLimits {
+  float sound, force, viscous;
+  std::uint32_t broken;
+};
+SPIN_HD_INLINE StepLimits noLimits() {
+  return {INFINITY, INFINITY, INFINITY, UINT32_MAX};
+}
+struct JoinLimits {
+  SPIN_HD StepLimits operator()(const StepLimits& a, const StepLimits& b) const {
+    return {minimum(a.sound, b.sound), minimum(a.force, b.force), minimum(a.viscous, b.viscous),
+            a.broken < b.broken ? a.broken : b.broken};
+  }
+};
+struct LimitsOf {
+  FlowView v;
+  float courant, forceFactor, viscousFactor;
+  SPIN_HD StepLimits operator()(std::size_t i) const {
+    const FlowConstants& c = v.constants;
+    const PairRecord& r = v.record[i];
+    const float ax = v.ax[i] + c.gravityX, ay = v.ay[i] + c.gravityY, az = v.az[i] + c.gravityZ;
+    const float a2 = ax * ax + ay * ay + az * az, speed = squareRoot(r.vx * r.vx + r.vy * r.vy + r.vz * r.vz);
+    const float check = a2 + speed;
+    const float nu = r.viscosity / r.restDensity;
+    return {courant * c.spacing / (c.material[v.extra[i].material].soundSpeed + speed),
+            a2 > 0.0f ? forceFactor * squareRoot(c.spacing / squareRoot(a2)) : INFINITY,
+            nu > 0.0f ? viscousFactor * c.spacing * c.spacing / nu : INFINITY,
+            check - check == 0.0f ? UINT32_MAX : v.id[i]};
+  }
+};
+
+/// Velocity from the accelerations and the walls, then position from the new velocity (semi-implicit Euler;
+/// with velocities half a step behind it is the leap-frog). `kick` is the time that velocities advance by,
+/// timeStep that of positions.
+struct IntegrateKernel {
+  FlowView v;
+  float kick;
+
+  /// Pressure and friction of all walls near particle i; changes its velocity.
+  SPIN_HD void actWalls(std::size_t i, PairVector<float>& velocity) const {
+    const FlowConstants& c = v.constants;
+    const PairRecord& r = v.record[i];
+    const PairVector<float> p = metresOf(v, i);
+    WallShares shares;
+    v.walls.near(p.x, p.y, p.z, c.support, [&](const WallContact& w) {
+      shares.add(CubicSpline::halfSpaceIntegral(w.distance / c.support));
+    });
+    const float e = 1.0f + v.excess[i], pressure = r.pressureTerm * e * e;
+    v.walls.near(p.x, p.y, p.z, c.support, [&](const WallContact& w) {
+      const float s = w.distance / c.support;
+      const float along = c.gravityX * w.nx + c.gravityY * w.ny + c.gravityZ * w.nz;
+      const float weight = shares.weight(CubicSpline::halfSpaceIntegral(s));
+      const float push =
+          weight * wallPush(s, r.pressureTerm, wallPressure(pressure, r.restDensity, along, w.distance),
+                            r.restDensity, c.support);
+      velocity.x += kick * push * w.nx;
+      velocity.y += kick * push * w.ny;
+      velocity.z += kick * push * w.nz;
+      rub(w, s, push, r, velocity);
+    });
+  }
+
+  SPIN_HD_INLINE void rub(const WallContact& w, float s, float push, const PairRecord& r,
+                          PairVector<float>& velocity) const {
+    const FlowConstants& c = v.constants;
+    const WallSurface& surface = v.walls.surface[w.surface];
+    if (surface.friction == WallFriction::FreeSlip) return;
+    const PairVector<float> relative{velocity.x - w.vx, velocity.y - w.vy, velocity.z - w.vz};
+    const float normal = relative.x * w.nx + relative.y * w.ny + relative.z * w.nz;
+    const PairVector<float> slide{relative.x - normal * w.nx, relative.y - normal * w.ny,
+                                  relative.z - normal * w.nz};
+    float keep = 1.0f;
+    if (surface.friction == WallFriction::NoSlip) {
+      // Implicit: stable at any step, and what sticks is carried along.
+      const float distance = maximum(w.distance, kLeastWallDistance * c.spacing);
+      keep = 1.0f / (1.0f + kick * wallDragRate(s, distance, r.viscosity / r.restDensity, c.support));
+    } else {
+      const float speed = squareRoot(slide.x * slide.x + slide.y * slide.y + slide.z * slide.z);
+      const float loss = surface.tangent * push * kick;
+      keep = speed > loss ? 1.0f - loss / speed : 0.0f;
+    }
+    velocity.x -= (1.0f - keep) * slide.x;
+    velocity.y -= (1.0f - keep) * slide.y;
+    velocity.z -= (1.0f - keep) * slide.z;
+  }
+
+  /// Adds a displacement in m to a position and what it has below a unit; periodic axes wrap.
+  SPIN_HD static void advance(std::int32_t& position, std::int16_t& rest, float displacement,
+                              float unitsPerMetre, std::int32_t periodCells) {
+    constexpr float kRest = 65536.0f;
+    // Half a cell a step at most: a particle faster than that is beyond any stable step already.
+    const float limit = 0.5f * static_cast<float>(kCellUnits);
+    const float units = minimum(maximum(displacement * unitsPerMetre, -limit), limit) +
+                        static_cast<float>(rest) * (1.0f / kRest);
+    const float whole = rintf(units);
+    rest = static_cast<std::int16_t>(minimum(maximum(rintf((units - whole) * kRest), -32767.0f), 32767.0f));
+    position += static_cast<std::int32_t>(whole);
+    const std::int32_t period = periodCells << kCellBits;
+    if (period > 0) position += position < 0 ? period : position >= period ? -period : 0;
+  }
+
+  SPIN_HD void operator()(std::size_t i) const {
+    const FlowConstants& c = v.constants;
+    PairRecord& r = v.record[i];
+    PairVector<float> velocity{r.vx + kick * (v.ax[i] + c.gravityX), r.vy + kick * (v.ay[i] + c.gravityY),
+                               r.vz + kick * (v.az[i] + c.gravityZ)};
+    if (c.windDrag > 0.0f) {
+      const PairVector<float> u{c.windX - r.vx, c.windY - r.vy, c.windZ - r.vz};
+      const float pull = kick * c.windDrag * squareRoot(u.x * u.x + u.y * u.y + u.z * u.z);
+      velocity.x += pull * u.x;
+      velocity.y += pull * u.y;
+      velocity.z += pull * u.z;
+    }
+    if (v.extra[i].flags & kNearWall) actWalls(i, velocity);
+    if (v.sx) {
+      velocity.x += v.sx[i];
+      velocity.y += v.sy[i];
+      velocity.z += v.sz[i];
+    }
+    r.vx = velocity.x;
+    r.vy = velocity.y;
+    r.vz = velocity.z;
+    ParticleExtra& extra = v.extra[i];
+    advance(v.x[i], extra.restX, c.timeStep * velocity.x, c.unitsPerMetre, v.grid.periodX);
+    advance(v.y[i], extra.restY, c.timeStep * velocity.y, c.unitsPerMetre, v.grid.periodY);
+    advance(v.z[i], extra.restZ, c.timeStep * velocity.z, c.unitsPerMetre, v.grid.periodZ);
+    leave(i);
+  }
+
+  /// Beyond the domain is nothing: the particle is dead.
+  SPIN_HD void leave(std::size_t i) const {
+    const bool in = v.x[i] >= 0 && v.y[i] >= 0 && v.z[i] >= 0 && v.x[i] < v.domainX && v.y[i] < v.domainY &&
+                    v.z[i] < v.domainZ;
+    if (!in) v.extra[i].flags |= kDead;
+  }
+};
+
+/// x_j - x_i in units of the support radius.
+SPIN_HD_INLINE PairVector<float> pairOffset(const FlowView& v, std::size_t i, std::size_t j,
+                                            const RowRange& range) {
+  constexpr float kToSupport = 1.0f / static_cast<float>(kCellUnits);
+  return {static_cast<float>(v.x[j] + range.shiftX - v.x[i]) * kToSupport,
+          static_cast<float>(v.y[j] + range.shiftY - v.y[i]) * kToSupport,
+          static_cast<float>(v.z[j] + range.shiftZ - v.z[i]) * kToSupport};
+}
+
+/// A pass with a thread per particle.
+template <template <class> class Pass>
+struct PairKernel {
+  FlowView v;
+  SPIN_HD void operator()(std::size_t i) const {
+    const ScalarLanes own{static_cast<std::uint32_t>(i)};
+    Pass<ScalarLanes> pass(v, own);
+    forRowRanges(v, v.y[i] >> kCellBits, v.z[i] >> kCellBits, v.x[i], v.x[i], [&](const RowRange& range) {
+      for (std::uint32_t j = range.begin; j < range.end; ++j) {
+        const PairVector<float> offset = pairOffset(v, i, j, range);
+        if (offset.x * offset.x + offset.y * offset.y + offset.z * offset.z < 1.0f) pass.add(v, offset, j);
+      }
+    });
+    pass.write(v, own);
+  }
+};
+template <class Lanes>
+using PlainForcePass = ForcePass<Lanes, false>;
+template <class Lanes>
+using SmoothForcePass = ForcePass<Lanes, true>;
+
+}  // namespace spin

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/sph/flow_view.h"
+#include "core/sph/wall_law.h"
+
+/// The sums over neighbours, each written once. `Lanes` names the particles that are summed for (one, or a
+/// pack of consecutive ones) and loads and stores their values:
+///   Real                      number or pack
+///   load(array), load(records, member), store(value, array), first, count
+/// A pass is made for the lanes, add()s every candidate in reach, and is written.
+namespace spin {
+
+/// One particle: CUDA, and the reference that packs are tested against.
+struct ScalarLanes {
+  using Real = float;
+  std::uint32_t first = 0;
+  static constexpr std::uint32_t count = 1;
+
+  SPIN_HD_INLINE float load(const float* array) const { return array[first]; }
+  template <class Record>
+  SPIN_HD_INLINE float load(const Record* array, float Record::*member) const {
+    return array[first].*member;
+  }
+  SPIN_HD_INLINE void store(float value, float* array) const { array[first] = value; }
+  SPIN_HD_INLINE void unpack(float value, float* lanes) const { lanes[0] = value; }
+};
+
+/// Bare density sum into `excess`.
+template <class Lanes>
+struct DensityPass {
+  using T = typename Lanes::Real;
+  T sum = T(0.0f);
+
+  SPIN_HD_INLINE DensityPass(const FlowView&, const Lanes&) {}
+  SPIN_HD_INLINE void add(const FlowView&, const PairVector<T>& offset, std::uint32_t) {
+    sum = sum + densityTerm(offset);
+  }
+  SPIN_HD_INLINE void write(const FlowView& v, const Lanes& own) const { own.store(sum, v.excess); }
+};
+
+/// The particle's velocity and that of others against it.
+template <class Lanes>
+struct OwnVelocity {
+  using T = typename Lanes::Real;
+  PairVector<T> velocity;
+
+  SPIN_HD_INLINE OwnVelocity(const FlowView& v, const Lanes& own)
+      : velocity{own.load(v.record, &PairRecord::vx), own.load(v.record, &PairRecord::vy),
+                 own.load(v.record, &PairRecord::vz)} {}
+  SPIN_HD_INLINE PairVector<T> against(const PairRecord& r) const {
+    return {velocity.x - T(r.vx), velocity.y - T(r.vy), velocity.z - T(r.vz)};
+  }
+};
+
+/// Symmetric 3 x 3 matrix inverted by cofactors times a matrix g: g M^-1, in place. Where the neighbourhood
+/// is too poor for that (a few particles, or all in a plane) g stays as it is.
+SPIN_HD_INLINE void correctGradient(const float* m, float* g) {
+  const float cxx = m[1] * m[2] - m[5] * m[5], cxy = m[4] * m[5] - m[3] * m[2],
+              cxz = m[3] * m[5] - m[4] * m[1];
+  const float cyy = m[0] * m[2] - m[4] * m[4], cyz = m[3] * m[4] - m[0] * m[5],
+              czz = m[0] * m[1] - m[3] * m[3];
+  const float det = m[0] * cxx + m[3] * cxy + m[4] * cxz;
+  if (!(det > 0.05f)) return;
+  const float inverse = 1.0f / det;
+  for (int a = 0; a < 3; ++a) {
+    const float x = g[3 * a], y = g[3 * a + 1], z = g[3 * a + 2];
+    g[3 * a] = (x * cxx + y * cxy + z * cxz) * inverse;
+    g[3 * a + 1] = (x * cxy + y * cyy + z * cyz) * inverse;
+    g[3 * a + 2] = (x * cxz + y * cyz + z * czz) * inverse;
+  }
+}
+
+/// Adds what walls contribute to particle i's gradient sums, which are scaled already.
+SPIN_HD_INLINE void addWallGradients(const FlowView& v, std::size_t i, GradientSums<float>& sums) {
+  const FlowConstants& c = v.constants;
+  const float metres = 1.0f / c.unitsPerMetre;
+  v.walls.near(static_cast<float>(v.x[i]) * metres, static_cast<float>(v.y[i]) * metres,
+               static_cast<float>(v.z[i]) * metres, c.support, [&](const WallContact& wall) {
+                 const PairRecord& r = v.record[i];
+                 const float distance = maximum(wall.distance, kLeastWallDistance * c.spacing);
+                 addWallGradient(wall, wall.distance / c.support, distance,
+                                 {r.vx - wall.vx, r.vy - wall.vy, r.vz - wall.vz},
+                                 v.walls.surface[wall.surface].friction == WallFriction::NoSlip, sums);
+               });
+}
+
+/// Shear rate and, from it, the viscosity of particle i.
+SPIN_HD_INLINE void finishShear(const FlowView& v, std::size_t i, GradientSums<float>& sums) {
+  const FlowConstants& c = v.constants;
+  // V0 norm/h^3 = densityFactor scales the matrix, V0 norm/h^4 the gradient.
+  for (float& value : sums.g) value *= c.gradientFactor;
+  for (float& value : sums.m) value *= c.densityFactor;
+  addWallGradients(v, i, sums);
+  correctGradient(sums.m, sums.g);
+  const float rate = shearRateOf(sums.g);
+  const float e = 1.0f + v.excess[i];
+  v.shearRate[i] = rate;
+  v.record[i].viscosity =
+      apparentViscosity(c.material[v.extra[i].material].rheology, rate, v.record[i].pressureTerm * e * e);
+}
+
+/// Velocity gradient, shear rate and viscosity. Others read velocities meanwhile, which it leaves alone.
+template <class Lanes>
+struct ShearPass : OwnVelocity<Lanes> {
+  using T = typename Lanes::Real;
+  GradientSums<T> sums;
+
+  SPIN_HD_INLINE ShearPass(const FlowView& v, const Lanes& own) : OwnVelocity<Lanes>(v, own) { sums.clear(); }
+  SPIN_HD_INLINE void add(const FlowView& v, const PairVector<T>& offset, std::uint32_t j) {
+    sums.add(offset, this->against(v.record[j]));
+  }
+  SPIN_HD_INLINE void write(const FlowView& v, const Lanes& own) const {
+    float lanes[15][kPairPadding];
+    for (int k = 0; k < 9; ++k) own.unpack(sums.g[k], lanes[k]);
+    for (int k = 0; k < 6; ++k) own.unpack(sums.m[k], lanes[9 + k]);
+    for (std::uint32_t l = 0; l < own.count; ++l) {
+      GradientSums<float> one;
+      for (int k = 0; k < 9; ++k) one.g[k] = lanes[k][l];
+      for (int k = 0; k < 6; ++k) one.m[k] = lanes[9 + k][l];
+      finishShear(v, own.first + l, one);
+    }
+  }
+};
+
+/// Pressure and pairwise viscosity, and with Smooth the velocity change of XSPH (Monaghan 1989):
+/// c sum m_j / rho_mean (v_j - v_i) W.
+template <class Lanes, bool Smooth>
+struct ForcePass : OwnVelocity<Lanes> {
+  using T = typename Lanes::Real;
+  PairVector<T> force{T(0.0f), T(0.0f), T(0.0f)}, change{T(0.0f), T(0.0f), T(0.0f)};
+  T pressure, viscosity, density, drag;
+
+  SPIN_HD_INLINE ForcePass(const FlowView& v, const Lanes& own)
+      : OwnVelocity<Lanes>(v, own),
+        pressure(own.load(v.record, &PairRecord::pressureTerm)),
+        viscosity(own.load(v.record, &PairRecord::viscosity)),
+        density(own.load(v.record, &PairRecord::restDensity)),
+        drag(T(v.constants.viscousFactor / v.constants.gradientFactor)) {}
+  SPIN_HD_INLINE void add(const FlowView& v, const PairVector<T>& offset, std::uint32_t j) {
+    const PairRecord& r = v.record[j];
+    const PairVector<T> relative = this->against(r);
+    const T q = distanceOf(offset);
+    addPairForce(offset, CubicSpline::slopeOverQ(q), pressure + T(r.pressureTerm),
+                 drag * (viscosity + T(r.viscosity)), relative, force);
+    if constexpr (Smooth) {
+      const T weight = CubicSpline::shape(q) * T(r.restDensity) / (density + T(r.restDensity));
+      change.x = change.x - weight * relative.x;
+      change.y = change.y - weight * relative.y;
+      change.z = change.z - weight * relative.z;
+    }
+  }
+  SPIN_HD_INLINE void write(const FlowView& v, const Lanes& own) const {
+    const T scale = T(v.constants.gradientFactor) / density;
+    own.store(scale * force.x, v.ax);
+    own.store(scale * force.y, v.ay);
+    own.store(scale * force.z, v.az);
+    if constexpr (Smooth) {
+      const T smooth = T(2.0f * v.constants.smoothFactor);
+      own.store(smooth * change.x, v.sx);
+      own.store(smooth * change.y, v.sy);
+      own.store(smooth * change.z, v.sz);
+    }
+  }
+};
+
+}  // namespace spin

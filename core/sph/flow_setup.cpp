@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/sph/flow_setup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/physics/kernels.h"
+
+namespace spin {
+namespace {
+
+constexpr const char* kWhat = "The particle solver cannot start";
+
+Error badConfig(const char* property, std::string why) {
+  return badInput(kWhat, property, std::move(why));
+}
+
+double cellsAlong(const FlowConfig& c, int axis) {
+  return (c.domainMax[axis] - c.domainMin[axis]) / c.support();
+}
+
+Status checkAxis(const FlowConfig& c, int axis) {
+  const double cells = cellsAlong(c, axis);
+  if (!(cells > 0.0)) return badConfig("domainMax", "the box is empty");
+  if (cells > kMaxCells)
+    return badInput(kWhat, "domainMax",
+                    fmt::format("{:.0f} supports along an axis, at most {} fit", cells, kMaxCells),
+                    "Make the box smaller or the spacing larger");
+  if (c.periodic[axis] && (cells < 2.5 || std::abs(cells - std::round(cells)) > 1e-6))
+    return badConfig("domainMax",
+                     fmt::format("a periodic axis must be 3 or more whole supports long, this is {}", cells));
+  return {};
+}
+
+bool inRange(double value, double low, double high) {
+  return value >= low && value <= high;  // a NaN is in none
+}
+
+Status checkMaterial(const FlowMaterialConfig& m) {
+  const Rheology& r = m.rheology;
+  if (!inRange(m.restDensity, 1e-3, 1e5)) return badConfig("restDensity", "allowed is 0.001 to 100000 kg/m3");
+  if (!inRange(m.soundSpeed, 1e-6, 1e5)) return badConfig("soundSpeed", "allowed is 0.000001 to 100000 m/s");
+  for (const float value : {r.viscosity, r.cohesion, r.frictionTangent, r.regularisation, r.viscosityAtSpeed,
+                            r.crossFactor, r.least, r.most})
+    if (!inRange(static_cast<double>(value), 0.0, 1e12))
+      return badConfig("rheology", "viscosities, stresses and factors are finite and not below 0");
+  if (!inRange(static_cast<double>(r.exponent), 0.05, 5.0))
+    return badConfig("rheology", "the exponent is 0.05 to 5");
+  if (r.least > r.most) return badConfig("rheology", "the least viscosity is above the most");
+  return {};
+}
+
+Status checkWalls(const FlowWallsConfig& walls) {
+  if (walls.planes.size() > kMostPlanes)
+    return badConfig("planes", fmt::format("at most {} fit", kMostPlanes));
+  if (walls.surfaces.empty() || walls.surfaces.size() > kMostSurfaces)
+    return badConfig("surfaces", fmt::format("1 to {} are allowed", kMostSurfaces));
+  for (const auto& plane : walls.planes)
+    if (!isFinite(plane.point) || !isFinite(plane.velocity) || !(length(plane.normal) > 0.0) ||
+        !isFinite(plane.normal) || plane.surface >= walls.surfaces.size())
+      return badConfig("planes", "a plane has no direction, no place or no surface");
+  const Raster<std::uint8_t>& kinds = walls.groundSurfaces;
+  if (!kinds.empty() && !walls.ground.hasShapeOf(kinds))
+    return badConfig("groundSurfaces", "another shape than the ground");
+  if (std::any_of(kinds.values.begin(), kinds.values.end(),
+                  [&](std::uint8_t k) { return k >= walls.surfaces.size(); }))
+    return badConfig("groundSurfaces", "a cell names a surface that is not there");
+  return {};
+}
+
+void setWalls(const FlowConfig& c, WallView& view) {
+  for (std::size_t k = 0; k < c.walls.surfaces.size(); ++k) view.surface[k] = c.walls.surfaces[k];
+  view.planeCount = static_cast<std::int32_t>(c.walls.planes.size());
+  for (std::size_t k = 0; k < c.walls.planes.size(); ++k) {
+    const auto& plane = c.walls.planes[k];
+    const Vec3d normal = normalized(plane.normal);
+    const Vec3f n = normal.to<float>(), v = plane.velocity.to<float>();
+    view.planes[k] = {n.x, n.y, n.z, static_cast<float>(dot(normal, plane.point - c.domainMin)),
+                      v.x, v.y, v.z, plane.surface};
+  }
+  const Raster<float>& ground = c.walls.ground;
+  view.ground.width = ground.width;
+  view.ground.height = ground.height;
+  view.ground.originX = static_cast<float>(ground.originX - c.domainMin.x);
+  view.ground.originY = static_cast<float>(ground.originY - c.domainMin.y);
+  view.ground.cell = static_cast<float>(ground.cellSize);
+}
+
+FlowConstants flowConstants(const FlowConfig& c) {
+  const double h = c.support(), volume = c.spacing * c.spacing * c.spacing * CubicSpline::kNorm;
+  FlowConstants k;
+  k.densityFactor = static_cast<float>(volume / (h * h * h));
+  k.gradientFactor = static_cast<float>(volume / (h * h * h * h));
+  k.viscousFactor = static_cast<float>(volume / (h * h * h * h * h));
+  k.smoothFactor = static_cast<float>(c.smoothing) * k.densityFactor;
+  k.support = static_cast<float>(h);
+  k.spacing = static_cast<float>(c.spacing);
+  k.unitsPerMetre = static_cast<float>(kCellUnits / h);
+  const Vec3f g = c.gravity.to<float>(), w = c.wind.to<float>();
+  k.gravityX = g.x, k.gravityY = g.y, k.gravityZ = g.z;
+  k.windX = w.x, k.windY = w.y, k.windZ = w.z;
+  k.windDrag = static_cast<float>(c.windDrag);
+  k.clampTension = c.clampTension;
+  k.leapFrog = c.leapFrog;
+  for (std::size_t m = 0; m < c.materials.size(); ++m)
+    k.material[m] = {c.materials[m].rheology, static_cast<float>(c.materials[m].restDensity),
+                     static_cast<float>(c.materials[m].soundSpeed), c.materials[m].tait};
+  return k;
+}
+
+/// Position in units, NaN-safe: what is not within the domain fails.
+bool toUnits(double metres, double support, std::int32_t end, bool periodic, std::int32_t& units) {
+  const double exact = metres / support * kCellUnits;
+  if (!(exact >= -0.5 && exact <= end + 0.5)) return false;
+  units = std::clamp(static_cast<std::int32_t>(std::lround(exact)), 0, end);
+  if (units == end) units = periodic ? 0 : end - 1;
+  return true;
+}
+
+}  // namespace
+
+bool needsShearRate(const FlowConfig& config) {
+  return std::any_of(config.materials.begin(), config.materials.end(),
+                     [](const FlowMaterialConfig& m) { return m.rheology.needsShearRate(); });
+}
+
+Status checkFlowConfig(const FlowConfig& c) {
+  if (!inRange(c.spacing, 1e-6, 1e4)) return badConfig("spacing", "allowed is 0.000001 to 10000 m");
+  if (!inRange(c.supportSpacings, 1.5, 4.0)) return badConfig("supportSpacings", "allowed is 1.5 to 4");
+  if (c.materials.empty() || c.materials.size() > kMostMaterials)
+    return badConfig("materials", fmt::format("1 to {} are allowed", kMostMaterials));
+  for (const FlowMaterialConfig& material : c.materials)
+    if (Status ok = checkMaterial(material); !ok) return ok;
+  if (!isFinite(c.gravity) || !isFinite(c.wind))
+    return badConfig("gravity", "gravity and wind must be finite");
+  if (!inRange(c.windDrag, 0.0, 1e3)) return badConfig("windDrag", "allowed is 0 to 1000 1/m");
+  if (!inRange(c.smoothing, 0.0, 1.0)) return badConfig("smoothing", "allowed is 0 to 1");
+  if (!inRange(c.courant, 1e-3, 1.0) || !inRange(c.forceFactor, 1e-3, 1.0) ||
+      !inRange(c.viscousFactor, 1e-3, 1.0))
+    return badConfig("courant", "the step's factors are 0.001 to 1");
+  for (int axis = 0; axis < 3; ++axis)
+    if (Status ok = checkAxis(c, axis); !ok) return ok;
+  return checkWalls(c.walls);
+}
+
+FlowView flowView(const FlowConfig& c) {
+  FlowView view;
+  view.constants = flowConstants(c);
+  const auto end = [&](int axis) {
+    return static_cast<std::int32_t>(
+        std::min(std::ceil(cellsAlong(c, axis) * kCellUnits - 0.5), 1073741824.0));
+  };
+  const auto period = [&](int axis) {
+    return c.periodic[axis] ? static_cast<std::int32_t>(std::lround(cellsAlong(c, axis))) : 0;
+  };
+  view.domainX = end(0), view.domainY = end(1), view.domainZ = end(2);
+  view.grid.periodX = period(0), view.grid.periodY = period(1), view.grid.periodZ = period(2);
+  setWalls(c, view.walls);
+  return view;
+}
+
+void FlowHostState::resize(std::size_t n) {
+  for (auto* axis : {&x, &y, &z}) axis->resize(n);
+  records.resize(n);
+  extras.resize(n);
+  ids.resize(n);
+}
+
+Status appendParticles(const FlowConfig& c, const std::vector<FlowParticle>& particles, std::uint32_t firstId,
+                       FlowHostState& state) {
+  constexpr const char* kParticles = "The particles cannot be used";
+  const std::size_t before = state.size();
+  if (before + particles.size() > INT32_MAX - kPairPadding || particles.size() > UINT32_MAX - firstId)
+    return badInput(kParticles, {}, "there are more than 2^31");
+  const FlowView view = flowView(c);
+  state.resize(before + particles.size());
+  for (std::size_t k = 0; k < particles.size(); ++k) {
+    const FlowParticle& p = particles[k];
+    const Vec3d local = p.position - c.domainMin;
+    const std::size_t i = before + k;
+    const bool placed = toUnits(local.x, c.support(), view.domainX, c.periodic[0], state.x[i]) &&
+                        toUnits(local.y, c.support(), view.domainY, c.periodic[1], state.y[i]) &&
+                        toUnits(local.z, c.support(), view.domainZ, c.periodic[2], state.z[i]);
+    if (!placed || !isFinite(p.velocity) || p.material >= c.materials.size()) {
+      state.resize(before);
+      return badInput(kParticles, fmt::format("particle {}", k),
+                      "it lies outside the domain, its velocity is not finite, or its material is not there");
+    }
+    const Vec3f v = p.velocity.to<float>();
+    state.records[i] = {v.x, v.y, v.z, 0.0f, 0.0f, 0.0f};
+    state.extras[i] = {0, 0, 0, p.material, 0};
+    state.ids[i] = firstId + static_cast<std::uint32_t>(k);
+  }
+  return {};
+}
+
+FlowParticle flowParticle(const FlowConfig& c, const FlowHostState& state, std::size_t i) {
+  const double unit = c.support() / kCellUnits;
+  const ParticleExtra& extra = state.extras[i];
+  const auto at = [&](std::int32_t whole, std::int16_t rest) { return (whole + rest / 65536.0) * unit; };
+  const PairRecord& r = state.records[i];
+  FlowParticle p;
+  p.position = c.domainMin +
+               Vec3d{at(state.x[i], extra.restX), at(state.y[i], extra.restY), at(state.z[i], extra.restZ)};
+  p.velocity = Vec3f{r.vx, r.vy, r.vz}.to<double>();
+  p.material = extra.material;
+  p.id = state.ids[i];
+  return p;
+}
+
+}  // namespace spin

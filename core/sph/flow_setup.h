@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "core/sph/flow_solver.h"
+#include "core/sph/flow_view.h"
+
+namespace spin {
+
+/// Every value in range, the box not empty, periodic lengths whole, no more cells than positions can say.
+Status checkFlowConfig(const FlowConfig& config);
+/// Constants, walls without the ground's arrays, domain and periods.
+FlowView flowView(const FlowConfig& config);
+/// Whether any material needs the shear rate.
+bool needsShearRate(const FlowConfig& config);
+
+/// Particles as the solver's arrays hold them.
+struct FlowHostState {
+  std::vector<std::int32_t> x, y, z;
+  std::vector<PairRecord> records;
+  std::vector<ParticleExtra> extras;
+  std::vector<std::uint32_t> ids;
+
+  std::size_t size() const { return x.size(); }
+  void resize(std::size_t n);
+};
+/// Appends particles; ids from firstId on.
+Status appendParticles(const FlowConfig& config, const std::vector<FlowParticle>& particles,
+                       std::uint32_t firstId, FlowHostState& state);
+FlowParticle flowParticle(const FlowConfig& config, const FlowHostState& state, std::size_t i);
+
+}  // namespace spin

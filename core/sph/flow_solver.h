@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/cpu_features.h"
+#include "core/base/result.h"
+#include "core/base/timings.h"
+#include "core/fields/raster.h"
+#include "core/math/vec.h"
+#include "core/physics/rheology.h"
+#include "core/sph/wall_view.h"
+
+namespace spin {
+
+/// A material that flows. SI.
+struct FlowMaterialConfig {
+  double restDensity = 1000.0;  ///< kg/m3; > 0
+  double soundSpeed = 40.0;     ///< m/s; > 0, about ten times the fastest flow
+  bool tait = false;            ///< Tait's equation of state, else the linear one
+  Rheology rheology;            ///< default: water
+};
+
+/// Solids. Places in world metres.
+struct FlowWallsConfig {
+  struct Plane {
+    Vec3d point{};
+    Vec3d normal{0, 0, 1};  ///< into the fluid
+    Vec3d velocity{};       ///< m/s
+    std::uint8_t surface = 0;
+  };
+  std::vector<Plane> planes;             ///< kMostPlanes at most
+  Raster<float> ground;                  ///< heights, m; NaN = no ground; empty = none
+  Raster<std::uint8_t> groundSurfaces;   ///< same shape; empty = surface 0
+  std::vector<WallSurface> surfaces{1};  ///< kMostSurfaces at most
+};
+
+/// The particle solver: weakly compressible SPH (density by summation, equation of state), half-space
+/// integrals at solids, generalised Newtonian viscosity, XSPH.
+struct FlowConfig {
+  double spacing = 0.05;                         ///< distance of particles at rest, m; > 0
+  double supportSpacings = 2.0;                  ///< support radius: 2 fast, 3 accurate; 1.5 to 4
+  std::vector<FlowMaterialConfig> materials{1};  ///< 1 to kMostMaterials
+  Vec3d gravity{0, 0, -9.80665};                 ///< m/s2
+  Vec3d wind{};                                  ///< m/s
+  double windDrag = 0.0;                         ///< 1/m; acceleration = windDrag |w - v| (w - v)
+  double smoothing = 0.0;                        ///< c of XSPH, 0..1
+  Vec3d domainMin{};                             ///< m; what leaves the box is taken out
+  Vec3d domainMax{};  ///< m; along a periodic axis the length is a whole number of supports, >= 3
+  bool periodic[3] = {false, false, false};
+  bool clampTension = true;      ///< no negative pressure
+  bool leapFrog = false;         ///< else semi-implicit Euler
+  double courant = 0.25;         ///< share of a spacing that sound goes in a step
+  double forceFactor = 0.25;     ///< step <= factor sqrt(spacing / |a|)
+  double viscousFactor = 0.125;  ///< step <= factor spacing^2 / nu
+  FlowWallsConfig walls;
+
+  double support() const { return supportSpacings * spacing; }
+  double particleMass(std::size_t material) const {
+    return materials[material].restDensity * spacing * spacing * spacing;
+  }
+};
+
+struct FlowParticle {
+  Vec3d position{};  ///< world m
+  Vec3d velocity{};  ///< m/s
+  std::uint8_t material = 0;
+  std::uint32_t id = 0;  ///< in the order of adding, from 0
+};
+
+/// What a particle carries at the latest step.
+struct FlowSample {
+  FlowParticle particle;
+  double density = 0.0;      ///< kg/m3
+  double pressure = 0.0;     ///< Pa
+  double viscosity = 0.0;    ///< Pa s
+  double shearRate = 0.0;    ///< 1/s; 0 where no material needs it
+  Vec3d pairAcceleration{};  ///< by neighbours alone, m/s2
+};
+
+enum class StepLimit : std::uint8_t { Asked, Sound, Force, Viscous };
+
+struct FlowStep {
+  double seconds = 0.0;
+  StepLimit limit = StepLimit::Asked;
+};
+
+/// One solver on one device. Fails with what, particle and stage where a state is not finite; the particles
+/// are then of no use any more.
+class FlowSolver {
+ public:
+  virtual ~FlowSolver() = default;
+  /// Adds particles at rest or moving; ids go on from the last. Positions within the domain.
+  virtual Status add(const std::vector<FlowParticle>& particles) = 0;
+  /// One step of `most` seconds (> 0), or shorter where stability asks for it.
+  virtual Result<FlowStep> step(double most) = 0;
+  /// Particles that are alive, by id.
+  virtual std::vector<FlowSample> samples() const = 0;
+  virtual std::size_t count() const = 0;
+  virtual StageTimings& timings() = 0;
+  /// Memory of all arrays, bytes.
+  virtual std::size_t bytes() const = 0;
+  /// "cpu" or "cuda".
+  virtual const char* device() const = 0;
+};
+
+/// On the processor; threads <= 0 takes all. Fails where a value is out of range.
+Result<std::unique_ptr<FlowSolver>> makeFlowSolverCpu(const FlowConfig& config, int threads, Isa isa);
+
+}  // namespace spin

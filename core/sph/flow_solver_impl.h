@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/sph/flow_kernels.h"
+#include "core/sph/flow_setup.h"
+
+namespace spin {
+
+/// How a backend arranges the pair passes. The general form gives every particle a thread; the processor has
+/// its own in flow_solver_cpu.cpp.
+template <class Backend>
+struct FlowPasses {
+  void density(Backend& backend, const FlowView& view) {
+    backend.forEach("density", view.count, PairKernel<DensityPass>{view});
+  }
+  void shear(Backend& backend, const FlowView& view) {
+    backend.forEach("shear rate", view.count, PairKernel<ShearPass>{view});
+  }
+  void force(Backend& backend, const FlowView& view) {
+    if (view.sx)
+      backend.forEach("force", view.count, PairKernel<SmoothForcePass>{view});
+    else
+      backend.forEach("force", view.count, PairKernel<PlainForcePass>{view});
+  }
+};
+
+template <class Backend>
+class FlowSolverOn final : public FlowSolver {
+ public:
+  FlowSolverOn(const FlowConfig& config, Backend backend, FlowPasses<Backend> passes)
+      : m_config(config), m_backend(std::move(backend)), m_passes(passes), m_view(flowView(config)) {
+    if (!config.walls.ground.empty()) {
+      // Heights relative to the domain's floor keep their digits.
+      std::vector<float> heights = config.walls.ground.values;
+      for (float& z : heights) z -= static_cast<float>(config.domainMin.z);
+      m_backend.upload(heights, m_ground);
+      m_backend.upload(config.walls.groundSurfaces.values, m_groundSurfaces);
+    }
+  }
+
+  Status add(const std::vector<FlowParticle>& particles) override {
+    return guarded([&]() -> Status {
+      FlowHostState state = downloaded();
+      if (Status ok = appendParticles(m_config, particles, m_nextId, state); !ok) return ok;
+      m_nextId += static_cast<std::uint32_t>(particles.size());
+      const std::size_t n = state.size();
+      state.resize(n + kPairPadding);
+      m_backend.upload(state.x, m_x);
+      m_backend.upload(state.y, m_y);
+      m_backend.upload(state.z, m_z);
+      m_backend.upload(state.records, m_record);
+      m_backend.upload(state.extras, m_extra);
+      m_backend.upload(state.ids, m_id);
+      m_view.count = static_cast<std::uint32_t>(n);
+      allocate(n);
+      point();
+      return {};
+    });
+  }
+
+  Result<FlowStep> step(double most) override {
+    if (!(most > 0.0) || !std::isfinite(most))
+      return badInput(kStopped, "time step", "a step of " + std::to_string(most) + " s");
+    FlowStep done{most, StepLimit::Asked};
+    const Status status = guarded([&] { return m_view.count == 0 ? Status() : stepParticles(done); });
+    if (!status) return status.error();
+    return done;
+  }
+
+  std::vector<FlowSample> samples() const override {
+    const FlowHostState state = downloaded();
+    std::vector<float> excess, shear, ax, ay, az;
+    m_backend.download(m_excess, excess);
+    m_backend.download(m_shear, shear);
+    m_backend.download(m_ax, ax);
+    m_backend.download(m_ay, ay);
+    m_backend.download(m_az, az);
+    std::vector<FlowSample> result;
+    result.reserve(state.size());
+    for (std::size_t i = 0; i < state.size(); ++i) {
+      if (state.extras[i].flags & kDead) continue;
+      const PairRecord& r = state.records[i];
+      const double e = 1.0 + static_cast<double>(excess[i]);
+      result.push_back({flowParticle(m_config, state, i), static_cast<double>(r.restDensity) * e,
+                        static_cast<double>(r.pressureTerm) * e * e, static_cast<double>(r.viscosity),
+                        shear.empty() ? 0.0 : static_cast<double>(shear[i]),
+                        Vec3f{ax[i], ay[i], az[i]}.template to<double>()});
+    }
+    std::sort(result.begin(), result.end(),
+              [](const FlowSample& a, const FlowSample& b) { return a.particle.id < b.particle.id; });
+    return result;
+  }
+
+  std::size_t count() const override { return m_view.count; }
+  StageTimings& timings() override { return m_backend.timings(); }
+  const char* device() const override { return Backend::kDevice; }
+  std::size_t bytes() const override {
+    const auto of = [](const auto&... array) { return (... + (array.size() * sizeof(*array.data()))); };
+    return of(m_x, m_y, m_z, m_otherX, m_otherY, m_otherZ, m_record, m_extra, m_otherExtra, m_excess, m_ax,
+              m_ay, m_az) +
+           of(m_sx, m_sy, m_sz, m_shear, m_id, m_otherId, m_key, m_otherKey, m_order, m_rows, m_rowBins,
+              m_binStart) +
+           of(m_ground, m_groundSurfaces) + m_backend.scratchBytes();
+  }
+
+ private:
+  template <class T>
+  using Array = typename Backend::template Array<T>;
+  static constexpr const char* kStopped = "The particle solver stopped";
+  /// Rows of cells round all particles, at most.
+  static constexpr double kMostRows = 67108864.0;
+
+  /// Memory that is not there and a device that fails are the world's fault, not a bug.
+  template <class Body>
+  static Status guarded(const Body& body) {
+    try {
+      return body();
+    } catch (const std::bad_alloc&) {
+      return Error{ErrorKind::OutOfResources, kStopped, Backend::kDevice, "there is not enough memory",
+                   "Use fewer particles"};
+    } catch (const std::runtime_error& error) {
+      return Error{ErrorKind::Failed, kStopped, Backend::kDevice, error.what(), "Use --device cpu"};
+    }
+  }
+  static Error notFinite(std::uint32_t id, const char* stage) {
+    return {ErrorKind::Failed, kStopped, "particle " + std::to_string(id) + ", stage " + stage,
+            "its state is not finite",
+            "Use a smaller step or a stiffer material; the last good frame is kept"};
+  }
+
+  FlowHostState downloaded() const {
+    FlowHostState state;
+    if (m_view.count == 0) return state;
+    m_backend.download(m_x, state.x);
+    m_backend.download(m_y, state.y);
+    m_backend.download(m_z, state.z);
+    m_backend.download(m_record, state.records);
+    m_backend.download(m_extra, state.extras);
+    m_backend.download(m_id, state.ids);
+    state.resize(m_view.count);
+    return state;
+  }
+
+  void allocate(std::size_t n) {
+    // Vector loads may start at the last particle.
+    const std::size_t padded = n + kPairPadding;
+    for (Array<std::int32_t>* array : {&m_otherX, &m_otherY, &m_otherZ}) array->resize(padded);
+    for (Array<float>* array : {&m_excess, &m_ax, &m_ay, &m_az}) array->resize(padded);
+    if (m_config.smoothing > 0.0)
+      for (Array<float>* array : {&m_sx, &m_sy, &m_sz}) array->resize(padded);
+    if (needsShearRate(m_config)) m_shear.resize(padded);
+    m_otherExtra.resize(padded);
+    m_otherId.resize(padded);
+    m_otherKey.resize(padded);
+    m_key.resize(n);
+  }
+
+  /// Swapping moves arrays between the sorted and the other set; the view follows.
+  void point() {
+    m_view.x = m_x.data();
+    m_view.y = m_y.data();
+    m_view.z = m_z.data();
+    m_view.record = m_record.data();
+    m_view.excess = m_excess.data();
+    m_view.ax = m_ax.data();
+    m_view.ay = m_ay.data();
+    m_view.az = m_az.data();
+    const bool smooth = m_config.smoothing > 0.0;
+    m_view.sx = smooth ? m_sx.data() : nullptr;
+    m_view.sy = smooth ? m_sy.data() : nullptr;
+    m_view.sz = smooth ? m_sz.data() : nullptr;
+    m_view.shearRate = needsShearRate(m_config) ? m_shear.data() : nullptr;
+    m_view.extra = m_extra.data();
+    m_view.id = m_id.data();
+    m_view.key = m_key.data();
+    m_view.rows = m_rows.data();
+    m_view.binStart = m_binStart.data();
+    if (m_config.walls.ground.empty()) return;
+    m_view.walls.ground.heights = m_ground.data();
+    m_view.walls.ground.surfaces = m_config.walls.groundSurfaces.empty() ? nullptr : m_groundSurfaces.data();
+  }
+
+  Status stepParticles(FlowStep& done) {
+    if (Status ok = sortIntoCells(); !ok || m_view.count == 0) return ok;
+    m_passes.density(m_backend, m_view);
+    m_backend.forEach("pressure", m_view.count, PressureKernel{m_view});
+    if (m_view.shearRate) m_passes.shear(m_backend, m_view);
+    m_passes.force(m_backend, m_view);
+    const StepLimits limits = m_backend.reduce(
+        "step", m_view.count, noLimits(),
+        LimitsOf{m_view, static_cast<float>(m_config.courant), static_cast<float>(m_config.forceFactor),
+                 static_cast<float>(m_config.viscousFactor)},
+        JoinLimits{});
+    if (limits.broken != UINT32_MAX) return notFinite(limits.broken, "force");
+    chooseStep(limits, done);
+    m_view.constants.timeStep = static_cast<float>(done.seconds);
+    const double kick = m_config.leapFrog ? 0.5 * (m_lastStep + done.seconds) : done.seconds;
+    m_lastStep = done.seconds;
+    m_backend.forEach("integrate", m_view.count, IntegrateKernel{m_view, static_cast<float>(kick)});
+    return {};
+  }
+
+  static void chooseStep(const StepLimits& limits, FlowStep& done) {
+    const auto limit = [&](float seconds, StepLimit kind) {
+      if (static_cast<double>(seconds) < done.seconds) done = {static_cast<double>(seconds), kind};
+    };
+    limit(limits.sound, StepLimit::Sound);
+    limit(limits.force, StepLimit::Force);
+    limit(limits.viscous, StepLimit::Viscous);
+  }
+
+  /// Rows round all that lives, each as long as its particles; a bin's number is the sort key.
+  Status sortIntoCells() {
+    const FlowBounds bounds =
+        m_backend.reduce("rows", m_view.count, noBounds(), BoundsOf{m_view}, JoinBounds{});
+    if (bounds.broken != UINT32_MAX) return notFinite(bounds.broken, "integrate");
+    if (bounds.alive == 0) {
+      m_view.count = 0;
+      return {};
+    }
+    FlowGrid& grid = m_view.grid;
+    grid.lowY = bounds.lowY, grid.cellsY = bounds.highY - bounds.lowY + 1;
+    grid.lowZ = bounds.lowZ, grid.cellsZ = bounds.highZ - bounds.lowZ + 1;
+    if (static_cast<double>(grid.cellsY) * grid.cellsZ > kMostRows)
+      return Error{ErrorKind::OutOfResources, kStopped, "cells",
+                   "the particles are spread over too many rows of cells",
+                   "Make the domain smaller or the spacing larger"};
+    sortIntoBins(makeRows(), bounds.alive);
+    return {};
+  }
+
+  /// Gives the number of bins.
+  std::uint32_t makeRows() {
+    const auto rows = static_cast<std::size_t>(m_view.grid.rows());
+    if (m_rows.size() < rows) {
+      m_rows.resize(rows);
+      m_rowBins.resize(rows);
+    }
+    m_view.rows = m_rows.data();
+    m_backend.forEach("rows", rows, ClearRowKernel{m_view});
+    m_backend.forEach("rows", m_view.count, RowExtentKernel{m_view});
+    m_backend.forEach("rows", rows, RowBinsKernel{m_view, m_rowBins.data()});
+    const std::uint64_t bins = m_backend.exclusiveScan("rows", m_rowBins.data(), m_rowBins.data(), rows);
+    m_backend.forEach("rows", rows, RowStartKernel{m_view, m_rowBins.data()});
+    if (bins > UINT32_MAX - 2) throw std::runtime_error("too many bins");
+    if (m_binStart.size() < bins + 2) m_binStart.resize(bins + bins / 8 + 2);
+    m_view.binStart = m_binStart.data();
+    return static_cast<std::uint32_t>(bins);
+  }
+
+  void sortIntoBins(std::uint32_t bins, std::uint32_t alive) {
+    const std::size_t n = m_view.count;
+    m_backend.forEach("key", n, KeyKernel{m_view, bins});
+    if (m_key.size() != n) m_key.resize(n);
+    m_backend.sortByKey("sort", m_key, bins + 1, m_order);
+    // The dead are last in the order, and stay behind.
+    m_view.count = alive;
+    m_backend.forEach("gather", alive,
+                      GatherKernel{m_view, m_order.data(), m_otherX.data(), m_otherY.data(), m_otherZ.data(),
+                                   m_otherExtra.data(), m_otherId.data(), m_otherKey.data()});
+    m_backend.forEach("gather", alive, TakeVelocityKernel{m_view});
+    std::swap(m_x, m_otherX);
+    std::swap(m_y, m_otherY);
+    std::swap(m_z, m_otherZ);
+    std::swap(m_extra, m_otherExtra);
+    std::swap(m_id, m_otherId);
+    point();
+    FlowView sorted = m_view;
+    sorted.key = m_otherKey.data();
+    m_backend.forEach("cells", static_cast<std::size_t>(alive) + 1, BinStartKernel{sorted, bins});
+    if (alive != n) m_key.resize(alive);
+    m_view.key = m_key.data();
+  }
+
+  FlowConfig m_config;
+  mutable Backend m_backend;
+  FlowPasses<Backend> m_passes;
+  FlowView m_view;
+  std::uint32_t m_nextId = 0;
+  double m_lastStep = 0.0;  ///< 0 before the first: the leap-frog's first kick is half a step
+  Array<std::int32_t> m_x, m_y, m_z, m_otherX, m_otherY, m_otherZ;
+  Array<PairRecord> m_record;
+  Array<ParticleExtra> m_extra, m_otherExtra;
+  Array<float> m_excess, m_ax, m_ay, m_az, m_sx, m_sy, m_sz, m_shear, m_ground;
+  Array<std::uint8_t> m_groundSurfaces;
+  Array<std::uint32_t> m_id, m_otherId, m_key, m_otherKey, m_order, m_rowBins, m_binStart;
+  Array<FlowRow> m_rows;
+};
+
+}  // namespace spin
