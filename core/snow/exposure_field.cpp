@@ -85,6 +85,7 @@ Result<ExposureField> makeExposureField(const SceneSnapshot& snapshot, const Sno
     return status.error();
   if (const Status status = estimateRates(snapshot, ground, scene, settings, workshop, field.rates); !status)
     return status.error();
+  smoothFacets(snapshot, ground, settings, workshop, field);
   addNoise(ground, settings, workshop, field);
   field.rates.deposited = heldTotal(*ground.layout, field);
   return field;

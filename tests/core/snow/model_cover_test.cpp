@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "core/base/random.h"
 #include "core/snow/model_parts.h"
 #include "tests/core/snow/snow_test_scene.h"
 
@@ -185,6 +186,49 @@ TEST(ModelCover, LevelRoofsHoldWhatLevelGroundHolds) {
                                1);
   const CoverPart& cover = test::coverOf(frame);
   EXPECT_EQ(test::massOn(cover, test::gridOf(cover, "box/0")) > 0.0, test::massOn(cover, 0) > 0.0);
+}
+
+/// On a rough slope the fine cells near a model show no facets: neighbours differ little although the
+/// triangles they lie on differ much; what lies there together stays, and the model's shelter too.
+TEST(ModelCover, FineCellsShowNoFacetsOfTheGround) {
+  const CounterRandom random{3, 1};
+  const auto rough = [&](double x, double y) {
+    const auto n = static_cast<std::uint64_t>(std::lround(x / 5) + 100 * std::lround(y / 5));
+    return 0.65 * x + 1.2 * random.uniformDouble(n);
+  };
+  const auto run = [&](bool house) {
+    TestScene test;
+    test.weather.windSpeed = 2.0;
+    test.simulation.holdsBelowDegrees = 25.0;
+    test.simulation.shedsAboveDegrees = 60.0;
+    test.simulation.exposureRays = 64;
+    ModelNode placed;
+    placed.position = {60, 60, 0};
+    const float top = house ? 8.0f : 0.02f;
+    return framesOf(test.land(24, 24, 5.0, rough)
+                        .model("box", modelOf(boxMesh({-3, -3, 0}, {3, 3, top})), placed)
+                        .build(),
+                    1);
+  };
+  const auto fineOf = [](const Frame& frame) { return test::gridOf(test::coverOf(frame), "terrain/fine0"); };
+  const Frame open = run(false);
+  const CoverPart& cover = test::coverOf(open);
+  const std::size_t g = fineOf(open);
+  const Raster<float>& base = cover.layout->grids[g].base;
+  double largest = 0.0, mean = 0.0;
+  for (int j = 2; j + 2 < base.height; ++j)
+    for (int i = 2; i + 3 < base.width; ++i) {
+      const double a = double(cover.values[g].swe[base.index(i, j)]),
+                   b = double(cover.values[g].swe[base.index(i + 1, j)]);
+      mean += a;
+      if (std::hypot(base.x(i) - 60, base.y(j) - 60) > 8.0) largest = std::max(largest, std::abs(a - b));
+    }
+  mean /= double((base.width - 5) * (base.height - 4));
+  EXPECT_LT(largest, 0.35 * mean);
+  EXPECT_LT(std::abs(open.info.budget.relativeImbalance()), 1e-6);
+  EXPECT_LT(std::abs(open.info.budget.get("sampling_residual") / open.info.budget.get("emitted")), 0.005);
+  const Frame sheltered = run(true);
+  EXPECT_LT(test::massOn(test::coverOf(sheltered), fineOf(sheltered)), 0.995 * test::massOn(cover, g));
 }
 
 TEST(ModelCover, TheEstimateCountsFineGridsAndPatches) {
