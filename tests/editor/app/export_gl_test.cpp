@@ -24,7 +24,7 @@ using namespace spin;
 namespace {
 
 /// So long a whole run may take on a busy machine with a software driver.
-constexpr int kWait = 300000;
+constexpr int kWait = 240000;
 
 void writeText(const QString& path, const QByteArray& text) {
   QFile file(path);
