@@ -15,6 +15,9 @@ using namespace spin;
 
 namespace {
 
+/// So long a picture may take on a busy machine with a software driver that compiles its shaders first.
+constexpr int kWait = 60000;
+
 int different(const QImage& a, const QImage& b) {
   int count = 0;
   for (int y = 0; y < a.height(); y += 4)
@@ -41,7 +44,7 @@ class ViewportGlTest : public QObject {
     QSignalSpy failed(&viewport, &Viewport::failed);
     viewport.show();
     QVERIFY(QTest::qWaitForWindowExposed(&viewport));
-    QTRY_VERIFY(drawn.count() > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(drawn.count() > 0, kWait);
     QCOMPARE(failed.count(), 0);
     const QImage first = viewport.surface()->picture();
     QImage flat = first;
@@ -49,7 +52,7 @@ class ViewportGlTest : public QObject {
     QVERIFY(different(first, flat) > 100);
     const auto before = drawn.count();
     viewport.setCamera({{128, 20, 60}, {128, 128, 15}, 45});
-    QTRY_VERIFY(drawn.count() > before);
+    QTRY_VERIFY_WITH_TIMEOUT(drawn.count() > before, kWait);
     QVERIFY(different(first, viewport.surface()->picture()) > 100);
   }
 
@@ -61,7 +64,7 @@ class ViewportGlTest : public QObject {
     QSignalSpy drawn(&viewport, &Viewport::drawn);
     viewport.show();
     QVERIFY(QTest::qWaitForWindowExposed(&viewport));
-    QTRY_VERIFY(drawn.count() > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(drawn.count() > 0, kWait);
     // Detail comes in a few more pictures; then it is quiet.
     auto before = drawn.count();
     for (int k = 0; k < 10; ++k) {
@@ -83,14 +86,14 @@ class ViewportGlTest : public QObject {
     QSignalSpy refined(&surface, &PictureView::refined);
     surface.show();
     QVERIFY(QTest::qWaitForWindowExposed(&surface));
-    QTRY_VERIFY(drawn.count() > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(drawn.count() > 0, kWait);
     const QImage coarse = surface.picture();
-    QTRY_COMPARE(refined.count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(refined.count(), 1, kWait);
     const QImage fine = surface.picture();
     QVERIFY(different(coarse, fine) > 50);
     surface.setView({{128, 20, 60}, {128, 128, 15}, 45}, 0.0, {});
     surface.setView({{128, -80, 140}, {128, 128, 15}, 45}, 0.0, {});
-    QTRY_COMPARE(refined.count(), 2);
+    QTRY_COMPARE_WITH_TIMEOUT(refined.count(), 2, kWait);
     QCOMPARE(different(fine, surface.picture()), 0);
   }
 
@@ -102,7 +105,7 @@ class ViewportGlTest : public QObject {
     QSignalSpy drawn(&viewport, &Viewport::drawn);
     viewport.show();
     QVERIFY(QTest::qWaitForWindowExposed(&viewport));
-    QTRY_VERIFY(drawn.count() > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(drawn.count() > 0, kWait);
     const auto before = drawn.count();
     QElapsedTimer timer;
     timer.start();
@@ -124,7 +127,7 @@ class ViewportGlTest : public QObject {
     QSignalSpy drawn(&view, &PictureView::drawn);
     view.show();
     QVERIFY(QTest::qWaitForWindowExposed(&view));
-    QTRY_VERIFY(drawn.count() > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(drawn.count() > 0, kWait);
     view.hide();
     QTest::qWait(100);
     const auto before = drawn.count();
@@ -133,7 +136,7 @@ class ViewportGlTest : public QObject {
     QCOMPARE(drawn.count(), before);
     const QImage old = view.picture();
     view.show();
-    QTRY_VERIFY(drawn.count() > before);
+    QTRY_VERIFY_WITH_TIMEOUT(drawn.count() > before, kWait);
     QVERIFY(different(old, view.picture()) > 20);
   }
 
@@ -144,9 +147,9 @@ class ViewportGlTest : public QObject {
     view.setScene(test::hillSnapshot());
     view.show();
     QVERIFY(QTest::qWaitForWindowExposed(&view));
-    QTRY_COMPARE(view.picture().size(), QSize(200, 120));
+    QTRY_COMPARE_WITH_TIMEOUT(view.picture().size(), QSize(200, 120), kWait);
     view.resize(333, 177);
-    QTRY_COMPARE(view.picture().size(), QSize(333, 177));
+    QTRY_COMPARE_WITH_TIMEOUT(view.picture().size(), QSize(333, 177), kWait);
   }
 
   /// A size the driver refuses is told, and the next one that fits is drawn.
@@ -159,12 +162,12 @@ class ViewportGlTest : public QObject {
     request.options.width = 1 << 20;
     request.options.height = 16;
     drawer.request(request);
-    QTRY_COMPARE(failed.count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, kWait);
     QVERIFY(failed[0][0].toString().contains(QStringLiteral("1048576")));
     QCOMPARE(drawn.count(), 0);
     request.options.width = 32;
     drawer.request(request);
-    QTRY_COMPARE(drawn.count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(drawn.count(), 1, kWait);
     QCOMPARE(drawn[0][0].value<QImage>().size(), QSize(32, 16));
   }
 
@@ -192,13 +195,13 @@ class ViewportGlTest : public QObject {
     QSignalSpy drawn(viewport, &Viewport::drawn);
     a.show();
     QVERIFY(QTest::qWaitForWindowExposed(&a));
-    QTRY_VERIFY(drawn.count() > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(drawn.count() > 0, kWait);
     const auto before = drawn.count();
     b.setCentralWidget(a.takeCentralWidget());
     b.show();
     QVERIFY(QTest::qWaitForWindowExposed(&b));
     viewport->setCamera({{128, -80, 140}, {128, 128, 15}, 45});
-    QTRY_VERIFY(drawn.count() > before);
+    QTRY_VERIFY_WITH_TIMEOUT(drawn.count() > before, kWait);
   }
 };
 
