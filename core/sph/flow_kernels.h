@@ -93,8 +93,10 @@ struct GatherKernel {
   std::int32_t *x, *y, *z;
   ParticleExtra* extra;
   std::uint32_t *id, *key;
+  float* excess;
   SPIN_HD void operator()(std::size_t i) const {
     const std::uint32_t from = order[i];
+    excess[i] = v.excess[from];
     x[i] = v.x[from];
     y[i] = v.y[from];
     z[i] = v.z[from];
@@ -149,7 +151,7 @@ struct PressureKernel {
     ParticleExtra& extra = v.extra[i];
     extra.flags = touches ? extra.flags | kNearWall : extra.flags & ~kNearWall;
     const FlowMaterial& material = c.material[extra.material];
-    const float excess = c.densityFactor * v.excess[i] + (shares.solid() - 1.0f);
+    const float excess = v.rate ? v.excess[i] : c.densityFactor * v.excess[i] + (shares.solid() - 1.0f);
     float pressure = material.tait ? taitPressure(excess, material.restDensity, material.soundSpeed)
                                    : linearPressure(excess, material.restDensity, material.soundSpeed);
     if (c.clampTension) pressure = clampTension(pressure);
@@ -199,6 +201,20 @@ struct LimitsOf {
 struct IntegrateKernel {
   FlowView v;
   float kick;
+
+  /// Rate of the excess by walls, with the velocity before the step, as over neighbours.
+  SPIN_HD float wallDensityRate(std::size_t i) const {
+    const FlowConstants& c = v.constants;
+    const PairRecord& r = v.record[i];
+    const PairVector<float> p = metresOf(v, i);
+    float rate = 0.0f;
+    v.walls.near(p.x, p.y, p.z, c.support, [&](const WallContact& w) {
+      const float leaving = (r.vx - w.vx) * w.nx + (r.vy - w.vy) * w.ny + (r.vz - w.vz) * w.nz;
+      rate -=
+          wallDilation(w.distance / c.support, maximum(w.distance, kLeastWallDistance * c.spacing)) * leaving;
+    });
+    return rate;
+  }
 
   /// Pressure and friction of all walls near particle i; changes its velocity.
   SPIN_HD void actWalls(std::size_t i, PairVector<float>& velocity) const {
@@ -266,6 +282,7 @@ struct IntegrateKernel {
   SPIN_HD void operator()(std::size_t i) const {
     const FlowConstants& c = v.constants;
     PairRecord& r = v.record[i];
+    const float wallRate = v.rate && (v.extra[i].flags & kNearWall) ? wallDensityRate(i) : 0.0f;
     PairVector<float> velocity{r.vx + kick * (v.ax[i] + c.gravityX), r.vy + kick * (v.ay[i] + c.gravityY),
                                r.vz + kick * (v.az[i] + c.gravityZ)};
     if (c.windDrag > 0.0f) {
@@ -284,6 +301,7 @@ struct IntegrateKernel {
     r.vx = velocity.x;
     r.vy = velocity.y;
     r.vz = velocity.z;
+    if (v.rate) v.excess[i] += c.timeStep * (v.rate[i] + wallRate);
     ParticleExtra& extra = v.extra[i];
     advance(v.x[i], extra.restX, c.timeStep * velocity.x, c.unitsPerMetre, v.grid.periodX);
     advance(v.y[i], extra.restY, c.timeStep * velocity.y, c.unitsPerMetre, v.grid.periodY);
@@ -325,8 +343,12 @@ struct PairKernel {
   }
 };
 template <class Lanes>
-using PlainForcePass = ForcePass<Lanes, false>;
+using PlainForcePass = ForcePass<Lanes, false, false>;
 template <class Lanes>
-using SmoothForcePass = ForcePass<Lanes, true>;
+using SmoothForcePass = ForcePass<Lanes, true, false>;
+template <class Lanes>
+using ContinuityForcePass = ForcePass<Lanes, false, true>;
+template <class Lanes>
+using SmoothContinuityForcePass = ForcePass<Lanes, true, true>;
 
 }  // namespace spin

@@ -13,8 +13,7 @@ struct FlowLoops {
   using Loop = void (*)(const FlowView& view, std::uint32_t begin, std::uint32_t end);
   Loop density = nullptr;
   Loop shear = nullptr;
-  Loop force = nullptr;
-  Loop forceSmooth = nullptr;
+  Loop force[2][2] = {};  ///< [smooth][continuity]
 };
 
 /// The loops built for a set; the caller has asked cpuRuns().

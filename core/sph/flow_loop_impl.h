@@ -161,8 +161,10 @@ void run(const FlowView& v, std::uint32_t begin, std::uint32_t end) {
 }  // namespace
 
 FlowLoops flowLoops() {
-  return {run<DensityPass<PackLanes>>, run<ShearPass<PackLanes>>, run<ForcePass<PackLanes, false>>,
-          run<ForcePass<PackLanes, true>>};
+  return {run<DensityPass<PackLanes>>,
+          run<ShearPass<PackLanes>>,
+          {{run<ForcePass<PackLanes, false, false>>, run<ForcePass<PackLanes, false, true>>},
+           {run<ForcePass<PackLanes, true, false>>, run<ForcePass<PackLanes, true, true>>}}};
 }
 
 }  // namespace spin::SPIN_ISA

@@ -124,26 +124,49 @@ struct ShearPass : OwnVelocity<Lanes> {
   }
 };
 
+/// What changes a particle's density by continuity, without factors: sum V_j (v_i - v_j) . grad W, and the
+/// diffusion of Molteni and Colagrossi 2009 in the form of Fourtakas et al. 2019: what is left of a pair's
+/// difference in density after that of fluid at rest. `atRest` is the gravity over c^2, per support.
+template <class T>
+struct DensityRate {
+  T sum = T(0.0f), spread = T(0.0f);
+
+  SPIN_HD_INLINE void add(const PairVector<T>& offset, T slope, const PairVector<T>& relative, T difference,
+                          const PairVector<T>& atRest) {
+    const T approach = mulAdd(relative.z, offset.z, mulAdd(relative.y, offset.y, relative.x * offset.x));
+    const T still = mulAdd(atRest.z, offset.z, mulAdd(atRest.y, offset.y, atRest.x * offset.x));
+    sum = sum - slope * approach;
+    spread = spread - slope * (difference - still);
+  }
+};
+
 /// Pressure and pairwise viscosity, and with Smooth the velocity change of XSPH (Monaghan 1989):
-/// c sum m_j / rho_mean (v_j - v_i) W.
-template <class Lanes, bool Smooth>
+/// c sum m_j / rho_mean (v_j - v_i) W; with Continuity the rate of the density.
+template <class Lanes, bool Smooth, bool Continuity>
 struct ForcePass : OwnVelocity<Lanes> {
   using T = typename Lanes::Real;
   PairVector<T> force{T(0.0f), T(0.0f), T(0.0f)}, change{T(0.0f), T(0.0f), T(0.0f)};
-  T pressure, viscosity, density, drag;
+  T pressure, viscosity, density, drag, excess = T(0.0f);
+  DensityRate<T> rate;
 
   SPIN_HD_INLINE ForcePass(const FlowView& v, const Lanes& own)
       : OwnVelocity<Lanes>(v, own),
         pressure(own.load(v.record, &PairRecord::pressureTerm)),
         viscosity(own.load(v.record, &PairRecord::viscosity)),
         density(own.load(v.record, &PairRecord::restDensity)),
-        drag(T(v.constants.viscousFactor / v.constants.gradientFactor)) {}
+        drag(T(v.constants.viscousFactor / v.constants.gradientFactor)) {
+    if constexpr (Continuity) excess = own.load(v.excess);
+  }
   SPIN_HD_INLINE void add(const FlowView& v, const PairVector<T>& offset, std::uint32_t j) {
     const PairRecord& r = v.record[j];
     const PairVector<T> relative = this->against(r);
-    const T q = distanceOf(offset);
-    addPairForce(offset, CubicSpline::slopeOverQ(q), pressure + T(r.pressureTerm),
-                 drag * (viscosity + T(r.viscosity)), relative, force);
+    const T q = distanceOf(offset), slope = CubicSpline::slopeOverQ(q);
+    if constexpr (Continuity) {
+      const FlowConstants& c = v.constants;
+      rate.add(offset, slope, relative, T(v.excess[j]) - excess, {T(c.restX), T(c.restY), T(c.restZ)});
+    }
+    addPairForce(offset, slope, pressure + T(r.pressureTerm), drag * (viscosity + T(r.viscosity)), relative,
+                 force);
     if constexpr (Smooth) {
       const T weight = CubicSpline::shape(q) * T(r.restDensity) / (density + T(r.restDensity));
       change.x = change.x - weight * relative.x;
@@ -156,6 +179,9 @@ struct ForcePass : OwnVelocity<Lanes> {
     own.store(scale * force.x, v.ax);
     own.store(scale * force.y, v.ay);
     own.store(scale * force.z, v.az);
+    if constexpr (Continuity)
+      own.store(T(v.constants.gradientFactor) * rate.sum + T(v.constants.diffusionFactor) * rate.spread,
+                v.rate);
     if constexpr (Smooth) {
       const T smooth = T(2.0f * v.constants.smoothFactor);
       own.store(smooth * change.x, v.sx);

@@ -95,6 +95,12 @@ FlowConstants flowConstants(const FlowConfig& c) {
   k.densityFactor = static_cast<float>(volume / (h * h * h));
   k.gradientFactor = static_cast<float>(volume / (h * h * h * h));
   k.viscousFactor = static_cast<float>(volume / (h * h * h * h * h));
+  // One diffusion for all materials: by the slowest sound, which is stable for the others too.
+  double sound = c.materials[0].soundSpeed;
+  for (const FlowMaterialConfig& m : c.materials) sound = std::min(sound, m.soundSpeed);
+  k.diffusionFactor = static_cast<float>(c.diffusion * h * sound * volume / (h * h * h * h * h));
+  const Vec3f rest = (c.gravity * (h / (sound * sound))).to<float>();
+  k.restX = rest.x, k.restY = rest.y, k.restZ = rest.z;
   k.smoothFactor = static_cast<float>(c.smoothing) * k.densityFactor;
   k.support = static_cast<float>(h);
   k.spacing = static_cast<float>(c.spacing);
@@ -137,6 +143,7 @@ Status checkFlowConfig(const FlowConfig& c) {
   if (!isFinite(c.gravity) || !isFinite(c.wind))
     return badConfig("gravity", "gravity and wind must be finite");
   if (!inRange(c.windDrag, 0.0, 1e3)) return badConfig("windDrag", "allowed is 0 to 1000 1/m");
+  if (!inRange(c.diffusion, 0.0, 1.0)) return badConfig("diffusion", "allowed is 0 to 1");
   if (!inRange(c.smoothing, 0.0, 1.0)) return badConfig("smoothing", "allowed is 0 to 1");
   if (!inRange(c.courant, 1e-3, 1.0) || !inRange(c.forceFactor, 1e-3, 1.0) ||
       !inRange(c.viscousFactor, 1e-3, 1.0))
@@ -167,6 +174,7 @@ void FlowHostState::resize(std::size_t n) {
   records.resize(n);
   extras.resize(n);
   ids.resize(n);
+  excess.resize(n);
 }
 
 Status appendParticles(const FlowConfig& c, const std::vector<FlowParticle>& particles, std::uint32_t firstId,
@@ -192,6 +200,7 @@ Status appendParticles(const FlowConfig& c, const std::vector<FlowParticle>& par
     const Vec3f v = p.velocity.to<float>();
     state.records[i] = {v.x, v.y, v.z, 0.0f, 0.0f, 0.0f};
     state.extras[i] = {0, 0, 0, p.material, 0};
+    state.excess[i] = 0.0f;
     state.ids[i] = firstId + static_cast<std::uint32_t>(k);
   }
   return {};

@@ -22,6 +22,7 @@ struct FlowHostState {
   std::vector<PairRecord> records;
   std::vector<ParticleExtra> extras;
   std::vector<std::uint32_t> ids;
+  std::vector<float> excess;
 
   std::size_t size() const { return x.size(); }
   void resize(std::size_t n);

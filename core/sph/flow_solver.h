@@ -39,6 +39,10 @@ struct FlowWallsConfig {
   std::vector<WallSurface> surfaces{1};  ///< kMostSurfaces at most
 };
 
+/// Summation takes the density anew from where particles are; continuity carries it along and smooths it by
+/// diffusion, so the pressure is quieter and a step cheaper.
+enum class DensityMode : std::uint8_t { Summation, Continuity };
+
 /// The particle solver: weakly compressible SPH (density by summation, equation of state), half-space
 /// integrals at solids, generalised Newtonian viscosity, XSPH.
 struct FlowConfig {
@@ -48,9 +52,11 @@ struct FlowConfig {
   Vec3d gravity{0, 0, -9.80665};                 ///< m/s2
   Vec3d wind{};                                  ///< m/s
   double windDrag = 0.0;                         ///< 1/m; acceleration = windDrag |w - v| (w - v)
-  double smoothing = 0.0;                        ///< c of XSPH, 0..1
-  Vec3d domainMin{};                             ///< m; what leaves the box is taken out
-  Vec3d domainMax{};  ///< m; along a periodic axis the length is a whole number of supports, >= 3
+  DensityMode density = DensityMode::Summation;
+  double diffusion = 0.1;  ///< delta of the density's diffusion, 0..1; by continuity only
+  double smoothing = 0.0;  ///< c of XSPH, 0..1
+  Vec3d domainMin{};       ///< m; what leaves the box is taken out
+  Vec3d domainMax{};       ///< m; along a periodic axis the length is a whole number of supports, >= 3
   bool periodic[3] = {false, false, false};
   bool clampTension = true;      ///< no negative pressure
   bool leapFrog = false;         ///< else semi-implicit Euler

@@ -15,7 +15,7 @@ struct FlowPasses<CpuBackend> {
   void density(CpuBackend& backend, const FlowView& view) { run(backend, "density", view, loops.density); }
   void shear(CpuBackend& backend, const FlowView& view) { run(backend, "shear rate", view, loops.shear); }
   void force(CpuBackend& backend, const FlowView& view) {
-    run(backend, "force", view, view.sx ? loops.forceSmooth : loops.force);
+    run(backend, "force", view, loops.force[view.sx ? 1 : 0][view.rate ? 1 : 0]);
   }
 
  private:

@@ -27,8 +27,12 @@ struct FlowPasses {
     backend.forEach("shear rate", view.count, PairKernel<ShearPass>{view});
   }
   void force(Backend& backend, const FlowView& view) {
-    if (view.sx)
+    if (view.sx && view.rate)
+      backend.forEach("force", view.count, PairKernel<SmoothContinuityForcePass>{view});
+    else if (view.sx)
       backend.forEach("force", view.count, PairKernel<SmoothForcePass>{view});
+    else if (view.rate)
+      backend.forEach("force", view.count, PairKernel<ContinuityForcePass>{view});
     else
       backend.forEach("force", view.count, PairKernel<PlainForcePass>{view});
   }
@@ -61,6 +65,7 @@ class FlowSolverOn final : public FlowSolver {
       m_backend.upload(state.records, m_record);
       m_backend.upload(state.extras, m_extra);
       m_backend.upload(state.ids, m_id);
+      m_backend.upload(state.excess, m_excess);
       m_view.count = static_cast<std::uint32_t>(n);
       allocate(n);
       point();
@@ -79,8 +84,7 @@ class FlowSolverOn final : public FlowSolver {
 
   std::vector<FlowSample> samples() const override {
     const FlowHostState state = downloaded();
-    std::vector<float> excess, shear, ax, ay, az;
-    m_backend.download(m_excess, excess);
+    std::vector<float> shear, ax, ay, az;
     m_backend.download(m_shear, shear);
     m_backend.download(m_ax, ax);
     m_backend.download(m_ay, ay);
@@ -90,7 +94,7 @@ class FlowSolverOn final : public FlowSolver {
     for (std::size_t i = 0; i < state.size(); ++i) {
       if (state.extras[i].flags & kDead) continue;
       const PairRecord& r = state.records[i];
-      const double e = 1.0 + static_cast<double>(excess[i]);
+      const double e = 1.0 + static_cast<double>(state.excess[i]);
       result.push_back({flowParticle(m_config, state, i), static_cast<double>(r.restDensity) * e,
                         static_cast<double>(r.pressureTerm) * e * e, static_cast<double>(r.viscosity),
                         shear.empty() ? 0.0 : static_cast<double>(shear[i]),
@@ -106,8 +110,8 @@ class FlowSolverOn final : public FlowSolver {
   const char* device() const override { return Backend::kDevice; }
   std::size_t bytes() const override {
     const auto of = [](const auto&... array) { return (... + (array.size() * sizeof(*array.data()))); };
-    return of(m_x, m_y, m_z, m_otherX, m_otherY, m_otherZ, m_record, m_extra, m_otherExtra, m_excess, m_ax,
-              m_ay, m_az) +
+    return of(m_x, m_y, m_z, m_otherX, m_otherY, m_otherZ, m_record, m_extra, m_otherExtra, m_excess,
+              m_otherExcess, m_rate, m_ax, m_ay, m_az) +
            of(m_sx, m_sy, m_sz, m_shear, m_id, m_otherId, m_key, m_otherKey, m_order, m_rows, m_rowBins,
               m_binStart) +
            of(m_ground, m_groundSurfaces) + m_backend.scratchBytes();
@@ -147,6 +151,7 @@ class FlowSolverOn final : public FlowSolver {
     m_backend.download(m_record, state.records);
     m_backend.download(m_extra, state.extras);
     m_backend.download(m_id, state.ids);
+    m_backend.download(m_excess, state.excess);
     state.resize(m_view.count);
     return state;
   }
@@ -155,7 +160,8 @@ class FlowSolverOn final : public FlowSolver {
     // Vector loads may start at the last particle.
     const std::size_t padded = n + kPairPadding;
     for (Array<std::int32_t>* array : {&m_otherX, &m_otherY, &m_otherZ}) array->resize(padded);
-    for (Array<float>* array : {&m_excess, &m_ax, &m_ay, &m_az}) array->resize(padded);
+    for (Array<float>* array : {&m_otherExcess, &m_ax, &m_ay, &m_az}) array->resize(padded);
+    if (m_config.density == DensityMode::Continuity) m_rate.resize(padded);
     if (m_config.smoothing > 0.0)
       for (Array<float>* array : {&m_sx, &m_sy, &m_sz}) array->resize(padded);
     if (needsShearRate(m_config)) m_shear.resize(padded);
@@ -172,6 +178,7 @@ class FlowSolverOn final : public FlowSolver {
     m_view.z = m_z.data();
     m_view.record = m_record.data();
     m_view.excess = m_excess.data();
+    m_view.rate = m_config.density == DensityMode::Continuity ? m_rate.data() : nullptr;
     m_view.ax = m_ax.data();
     m_view.ay = m_ay.data();
     m_view.az = m_az.data();
@@ -192,7 +199,7 @@ class FlowSolverOn final : public FlowSolver {
 
   Status stepParticles(FlowStep& done) {
     if (Status ok = sortIntoCells(); !ok || m_view.count == 0) return ok;
-    m_passes.density(m_backend, m_view);
+    if (!m_view.rate) m_passes.density(m_backend, m_view);
     m_backend.forEach("pressure", m_view.count, PressureKernel{m_view});
     if (m_view.shearRate) m_passes.shear(m_backend, m_view);
     m_passes.force(m_backend, m_view);
@@ -265,15 +272,17 @@ class FlowSolverOn final : public FlowSolver {
     m_backend.sortByKey("sort", m_key, bins + 1, m_order);
     // The dead are last in the order, and stay behind.
     m_view.count = alive;
-    m_backend.forEach("gather", alive,
-                      GatherKernel{m_view, m_order.data(), m_otherX.data(), m_otherY.data(), m_otherZ.data(),
-                                   m_otherExtra.data(), m_otherId.data(), m_otherKey.data()});
+    m_backend.forEach(
+        "gather", alive,
+        GatherKernel{m_view, m_order.data(), m_otherX.data(), m_otherY.data(), m_otherZ.data(),
+                     m_otherExtra.data(), m_otherId.data(), m_otherKey.data(), m_otherExcess.data()});
     m_backend.forEach("gather", alive, TakeVelocityKernel{m_view});
     std::swap(m_x, m_otherX);
     std::swap(m_y, m_otherY);
     std::swap(m_z, m_otherZ);
     std::swap(m_extra, m_otherExtra);
     std::swap(m_id, m_otherId);
+    std::swap(m_excess, m_otherExcess);
     point();
     FlowView sorted = m_view;
     sorted.key = m_otherKey.data();
@@ -291,7 +300,7 @@ class FlowSolverOn final : public FlowSolver {
   Array<std::int32_t> m_x, m_y, m_z, m_otherX, m_otherY, m_otherZ;
   Array<PairRecord> m_record;
   Array<ParticleExtra> m_extra, m_otherExtra;
-  Array<float> m_excess, m_ax, m_ay, m_az, m_sx, m_sy, m_sz, m_shear, m_ground;
+  Array<float> m_excess, m_otherExcess, m_rate, m_ax, m_ay, m_az, m_sx, m_sy, m_sz, m_shear, m_ground;
   Array<std::uint8_t> m_groundSurfaces;
   Array<std::uint32_t> m_id, m_otherId, m_key, m_otherKey, m_order, m_rowBins, m_binStart;
   Array<FlowRow> m_rows;

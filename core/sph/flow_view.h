@@ -75,6 +75,7 @@ struct FlowConstants {
   float densityFactor = 0;                         ///< V0 norm / h^3
   float gradientFactor = 0;                        ///< V0 norm / h^4: times slopeOverQ times offset/h
   float viscousFactor = 0;                         ///< V0 norm / h^5
+  float diffusionFactor = 0;                       ///< 2 delta (h/2) c V0 norm / h^5
   float smoothFactor = 0;                          ///< XSPH's c V0 norm / h^3; 0 = off
   float support = 1;                               ///< h, m
   float spacing = 1;                               ///< m
@@ -83,8 +84,9 @@ struct FlowConstants {
   float gravityX = 0, gravityY = 0, gravityZ = 0;  ///< m/s2
   float windX = 0, windY = 0, windZ = 0;           ///< m/s
   float windDrag = 0;                              ///< 1/m: acceleration = windDrag |w - v| (w - v)
-  bool clampTension = true;                        ///< no negative pressure
-  bool leapFrog = false;                           ///< else semi-implicit Euler
+  float restX = 0, restY = 0, restZ = 0;  ///< gradient of the excess in fluid at rest, per support: g h / c^2
+  bool clampTension = true;               ///< no negative pressure
+  bool leapFrog = false;                  ///< else semi-implicit Euler
   FlowMaterial material[kMostMaterials];
 };
 
@@ -93,7 +95,8 @@ struct FlowView {
   std::uint32_t count = 0;
   std::int32_t *x = nullptr, *y = nullptr, *z = nullptr;
   PairRecord* record = nullptr;
-  float* excess = nullptr;  ///< rho / rho0 - 1; between the stages density and pressure the bare pair sum
+  float* excess = nullptr;  ///< rho / rho0 - 1; by summation, between density and pressure the bare pair sum
+  float* rate = nullptr;    ///< of excess, by continuity, 1/s; null = density by summation
   float *ax = nullptr, *ay = nullptr, *az = nullptr;  ///< acceleration by neighbours, m/s2
   float *sx = nullptr, *sy = nullptr, *sz = nullptr;  ///< XSPH's change of velocity, m/s; null = off
   float* shearRate = nullptr;                         ///< 1/s; null where no material needs it

@@ -50,6 +50,12 @@ SPIN_HD_INLINE float wallDragRate(float s, float distance, float kinematicViscos
   return 2.0f * kinematicViscosity * CubicSpline::planeIntegral(s) / (support * distance);
 }
 
+/// Divergence by a wall per speed away from it, 1/m: (s P(s) + lambda(s)) / d, from sum V (v_i - v) . grad W
+/// over the half-space with the extrapolated velocity.
+SPIN_HD_INLINE float wallDilation(float s, float distance) {
+  return (maximum(s, 0.0f) * CubicSpline::planeIntegral(s) + CubicSpline::halfSpaceIntegral(s)) / distance;
+}
+
 /// Adds a no-slip wall's part to the velocity gradient (rate `relative`/d along the normal, times s P(s) +
 /// lambda(s)) and to the correction matrix (the same along the normal, lambda along the plane). Both with
 /// their factors, in 1/s and 1.

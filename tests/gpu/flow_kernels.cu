@@ -16,6 +16,8 @@ template __global__ void forEachKernel(PressureKernel, std::size_t);
 template __global__ void forEachKernel(PairKernel<ShearPass>, std::size_t);
 template __global__ void forEachKernel(PairKernel<PlainForcePass>, std::size_t);
 template __global__ void forEachKernel(PairKernel<SmoothForcePass>, std::size_t);
+template __global__ void forEachKernel(PairKernel<ContinuityForcePass>, std::size_t);
+template __global__ void forEachKernel(PairKernel<SmoothContinuityForcePass>, std::size_t);
 template __global__ void forEachKernel(IntegrateKernel, std::size_t);
 
 }  // namespace spin

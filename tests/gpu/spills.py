@@ -15,7 +15,7 @@ import tempfile
 ENTRY = re.compile(r"Compiling entry function '(\S+)'")
 MEMORY = re.compile(r"(\d+) bytes stack frame, (\d+) bytes spill stores, (\d+) bytes spill loads")
 REGISTERS = re.compile(r"Used (\d+) registers")
-REQUIRED = ("DensityPass", "ShearPass", "PlainForcePass", "SmoothForcePass", "IntegrateKernel", "PressureKernel")
+REQUIRED = ("DensityPass", "ShearPass", "PlainForcePass", "SmoothForcePass", "ContinuityForcePass", "SmoothContinuityForcePass", "IntegrateKernel", "PressureKernel")
 
 
 def kernels(report):

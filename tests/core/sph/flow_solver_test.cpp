@@ -88,7 +88,8 @@ Solver cpuSolver(const FlowConfig& config, int threads, Isa isa) {
 }
 
 TEST(FlowSolverTest, ThreadCountDoesNotChangeABit) {
-  const Scene s = splash();
+  Scene s = splash();
+  s.config.density = DensityMode::Continuity;
   for (const Isa isa : runnableIsas()) {
     const auto one = runScene(cpuSolver(s.config, 1, isa), s, 60);
     for (const int threads : {2, 4}) {
@@ -106,19 +107,22 @@ TEST(FlowSolverTest, ThreadCountDoesNotChangeABit) {
 
 TEST(FlowSolverTest, InstructionSetsAgreeWithThePlainFormWithinRounding) {
   // A few steps, so that the differences of rounding have no time to grow.
-  const Scene s = splash();
-  const auto plain = runScene(plainSolver(s.config), s, 3);
-  double scale = 0.0, rate = 0.0;
-  for (const FlowSample& p : plain)
-    scale = std::max(scale, length(p.pairAcceleration)), rate = std::max(rate, p.shearRate);
-  for (const Isa isa : runnableIsas()) {
-    const auto packed = runScene(cpuSolver(s.config, 2, isa), s, 3);
-    ASSERT_EQ(packed.size(), plain.size());
-    for (std::size_t i = 0; i < plain.size(); ++i) {
-      ASSERT_NEAR(packed[i].density, plain[i].density, 1e-2) << isaName(isa) << " " << i;
-      ASSERT_NEAR(packed[i].shearRate, plain[i].shearRate, 2e-4 * rate) << isaName(isa) << " " << i;
-      ASSERT_LT(length(packed[i].pairAcceleration - plain[i].pairAcceleration), 5e-5 * scale)
-          << isaName(isa) << " " << i;
+  for (const DensityMode mode : {DensityMode::Summation, DensityMode::Continuity}) {
+    Scene s = splash();
+    s.config.density = mode;
+    const auto plain = runScene(plainSolver(s.config), s, 3);
+    double scale = 0.0, rate = 0.0;
+    for (const FlowSample& p : plain)
+      scale = std::max(scale, length(p.pairAcceleration)), rate = std::max(rate, p.shearRate);
+    for (const Isa isa : runnableIsas()) {
+      const auto packed = runScene(cpuSolver(s.config, 2, isa), s, 3);
+      ASSERT_EQ(packed.size(), plain.size());
+      for (std::size_t i = 0; i < plain.size(); ++i) {
+        ASSERT_NEAR(packed[i].density, plain[i].density, 1e-2) << isaName(isa) << " " << i;
+        ASSERT_NEAR(packed[i].shearRate, plain[i].shearRate, 2e-4 * rate) << isaName(isa) << " " << i;
+        ASSERT_LT(length(packed[i].pairAcceleration - plain[i].pairAcceleration), 5e-5 * scale)
+            << isaName(isa) << " " << i;
+      }
     }
   }
 }
@@ -238,6 +242,7 @@ TEST(FlowSolverTest, MemoryIsTakenOnlyWhereTheFlowIs) {
   FlowConfig c;
   c.spacing = 0.25;
   c.domainMax = {1000, 1000, 1000};
+  c.density = DensityMode::Continuity;
   c.walls.planes = {{{0, 0, 0}, {0, 0, 1}, {}, 0}};
   const Solver solver = cpuSolver(c, 2, bestIsa());
   ASSERT_TRUE(solver->add(testing::lattice(c, 100, 100, 10, 0.0, {300, 400, 0})).ok());
