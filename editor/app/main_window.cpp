@@ -44,6 +44,14 @@ T settingsOf(const Scene& scene, const NodeType& type) {
   return data ? *data : T{};
 }
 
+/// What the middle of the view shows of the terrain.
+ImportFlow::Sight sightOf(const Viewport& viewport) {
+  const ViewportContext seen = viewport.context();
+  if (!seen.scene) return {};
+  const Vec2d middle{0.5 * seen.view.width(), 0.5 * seen.view.height()};
+  return {pickTerrain(*seen.scene, seen.view.ray(middle)), seen.scene->terrain};
+}
+
 }  // namespace
 
 MainWindow::MainWindow(std::shared_ptr<AssetReader> reader, QWidget* parent)
@@ -74,6 +82,8 @@ MainWindow::MainWindow(std::shared_ptr<AssetReader> reader, QWidget* parent)
   connect(m_document, &SceneDocument::modifiedChanged, this, &MainWindow::showTitle);
   connect(m_tools, &SceneTools::message, this, &MainWindow::showMessage);
   connect(m_imports, &ImportFlow::message, this, &MainWindow::showMessage);
+  connect(m_imports, &ImportFlow::firstTerrainAdded, this, [this] { m_lookWanted = true; });
+  m_imports->sight = [this] { return sightOf(*m_viewport); };
   connect(m_viewport, &Viewport::failed, this, &MainWindow::showMessage);
   connect(m_document, &SceneDocument::saveFinished, this, [this](bool ok, const QString&) {
     if (ok) showMessage(tr("Saved."));

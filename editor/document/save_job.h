@@ -13,15 +13,18 @@ struct SceneDocument::SaveJob {
   Scene original;   ///< as it was when the save began
   Scene scene;      ///< with the files named as in the new place
   SceneFileExtras extras;
+  std::set<QString> copied;  ///< files that are to be copied beside the scene
   std::map<std::string, PaintedLayer> layersOnDisk;
   quint64 edits = 0;
   quint64 generation = 0;
   Status status;
+  std::vector<DocumentIssue> issues;  ///< files that could not be copied; the scene is saved all the same
 
   void run(AssetLibrary& assets);
 
  private:
   void rebaseSources();
+  void copyFiles();
   Status saveLayers(AssetLibrary& assets);
 };
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "core/scene/asset_library.h"
@@ -60,6 +61,9 @@ class SceneDocument : public QObject {
   QStringList recentFiles() const;
   /// Lets nodes use files from a folder outside the scene's; kept in the user's settings.
   void allowFolder(const QString& folder);
+  /// Lets nodes use a file from elsewhere for now: a save copies it beside the scene with what it refers to,
+  /// and the nodes then use the copy. For files imported before the scene has a folder.
+  void copyOnSave(const QString& file);
   PathPolicy pathPolicy() const;
   /// The form in which a node stores this file.
   std::string storedPath(const QString& absolutePath) const;
@@ -93,6 +97,8 @@ class SceneDocument : public QObject {
   void reset(LoadedScene loaded, const QString& path);
   void notify(const ChangeEvent& event);
   void checkOwnScene();
+  void checkFilePlaces();
+  void permit(const QString& folder);
   void loadLayers();
   void takeLayers(const Scene& loaded, const std::vector<AssetLibrary::Issue>& found);
   std::shared_ptr<SaveJob> makeSaveJob(const QString& path) const;
@@ -111,6 +117,7 @@ class SceneDocument : public QObject {
   std::string m_selected;
   std::map<QString, std::vector<DocumentIssue>> m_issuesBySource;
   std::vector<DocumentIssue> m_issues;
+  std::set<QString> m_copyOnSave;                      ///< absolute paths
   std::map<std::string, PaintedLayer> m_layersOnDisk;  ///< by node id, as last read or written
   std::shared_ptr<SaveJob> m_saveJob;                  ///< in progress
   quint64 m_generation = 0;  ///< counts scenes: answers of threads for an older one are dropped
