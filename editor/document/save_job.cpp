@@ -27,6 +27,11 @@ TerrainData terrainFor(const SceneNode& node, const SnapshotPointer& snapshot) {
 
 }  // namespace
 
+std::string contentOf(const QString& path) {
+  const Hash128 hash = hashFile(path.toStdString());
+  return hash.isNull() ? std::string() : hash.hex();
+}
+
 void SceneDocument::SaveJob::run(AssetLibrary& assets) {
   rebaseSources();
   copyFiles();
@@ -35,6 +40,7 @@ void SceneDocument::SaveJob::run(AssetLibrary& assets) {
   for (const auto& [node, hash] : assets.fileHashes())
     if (!hash.isNull()) extras.assetHashes[node] = hash;
   status = saveScene(scene, extras, path.toStdString());
+  if (status) hashOnDisk = contentOf(path);
   if (extras.schema < kSceneSchema) extras.schema = kSceneSchema;
   extras.messages.clear();
 }

@@ -6,6 +6,9 @@
 
 namespace spin {
 
+/// Hash of a file's content in hexadecimal digits; empty where it cannot be read.
+std::string contentOf(const QString& path);
+
 /// Everything a save needs, frozen, so that it runs on a thread while the user goes on.
 struct SceneDocument::SaveJob {
   QString path;
@@ -18,6 +21,7 @@ struct SceneDocument::SaveJob {
   quint64 edits = 0;
   quint64 generation = 0;
   Status status;
+  std::string hashOnDisk;             ///< of the written file
   std::vector<DocumentIssue> issues;  ///< files that could not be copied; the scene is saved all the same
 
   void run(AssetLibrary& assets);

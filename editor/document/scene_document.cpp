@@ -68,15 +68,19 @@ void SceneDocument::newScene() {
 
 Status SceneDocument::open(const QString& path) {
   const QString file = QFileInfo(path).absoluteFilePath();
+  // Before it is read: a change in between is noticed later, not missed.
+  const std::string hash = contentOf(file);
   Result<LoadedScene> loaded = loadScene(file.toStdString());
   if (!loaded) return loaded.error();
   reset(std::move(*loaded), file);
+  m_hashOnDisk = hash;
   addRecentFile(file);
   return {};
 }
 
-void SceneDocument::takeOver(LoadedScene loaded, const QString& path) {
+void SceneDocument::takeOver(LoadedScene loaded, const QString& path, const std::string& hashOnDisk) {
   reset(std::move(loaded), path);
+  m_hashOnDisk = hashOnDisk;
   // What was to be copied at the first save is known by the program that ended only.
   for (const SceneNode& node : m_scene.nodes()) {
     const std::string source = sourceOf(node);
@@ -97,11 +101,13 @@ void SceneDocument::reset(LoadedScene loaded, const QString& path) {
   m_scene = std::move(loaded.scene);
   m_extras = std::move(loaded.extras);
   m_path = path;
+  m_hashOnDisk.clear();
   m_recovered = false;
   m_loadingLayers = false;
   m_layersOnDisk.clear();
   m_copyOnSave.clear();
   m_issuesBySource.clear();
+  m_issues.clear();
   m_assets->setExpectedHashes(m_extras.assetHashes);
   m_selected.clear();
   Q_EMIT selectionChanged(m_selected);
@@ -112,6 +118,7 @@ void SceneDocument::reset(LoadedScene loaded, const QString& path) {
   for (const std::string& message : m_extras.messages)
     remarks.push_back({Severity::Information, {}, {}, QString::fromStdString(message)});
   setIssues(QStringLiteral("file"), std::move(remarks));
+  Q_EMIT issuesChanged();
   checkOwnScene();
   checkFilePlaces();
   loadLayers();
@@ -215,6 +222,12 @@ void SceneDocument::saveAs(const QString& path) {
   });
 }
 
+bool SceneDocument::isChangedOnDisk() const {
+  if (m_path.isEmpty() || m_hashOnDisk.empty() || m_saveJob) return false;
+  const std::string now = contentOf(m_path);
+  return !now.empty() && now != m_hashOnDisk;
+}
+
 Status SceneDocument::finishSaving() {
   const std::shared_ptr<SaveJob> job = m_saveJob;
   if (!job) return {};
@@ -229,6 +242,7 @@ void SceneDocument::finishSave(const std::shared_ptr<SaveJob>& job) {
   if (job->status && job->generation == m_generation) {
     const bool sameFile = m_path == job->path;
     m_path = job->path;
+    m_hashOnDisk = job->hashOnDisk;
     takeSources(*job);
     m_extras = job->extras;
     for (const SceneNode& node : job->original.nodes()) m_layersOnDisk[node.id] = node.painted;

@@ -46,8 +46,9 @@ class SceneDocument : public QObject {
   void newScene();
   /// Reads a scene. Its painted layers follow from a thread (see isLoadingLayers()).
   Status open(const QString& path);
-  /// Takes over a scene that comes from elsewhere (recovery); it counts as modified.
-  void takeOver(LoadedScene loaded, const QString& path);
+  /// Takes over a scene that comes from elsewhere (recovery); it counts as modified. hashOnDisk() goes on
+  /// from where the scene was read or saved last.
+  void takeOver(LoadedScene loaded, const QString& path, const std::string& hashOnDisk);
   /// True while painted layers are being read; painting waits for them.
   bool isLoadingLayers() const { return m_loadingLayers; }
 
@@ -55,6 +56,10 @@ class SceneDocument : public QObject {
   void save() { saveAs(m_path); }
   void saveAs(const QString& path);
   bool isSaving() const { return m_saveJob != nullptr; }
+  /// Content of the file when it was last read or written here; empty if that is not known.
+  const std::string& hashOnDisk() const { return m_hashOnDisk; }
+  /// Another program has written the file meanwhile: saving would overwrite that.
+  bool isChangedOnDisk() const;
   /// Waits for the save in progress, for closing the window and for tests.
   Status finishSaving();
   /// Files opened or saved last, newest first, existing ones only.
@@ -114,6 +119,7 @@ class SceneDocument : public QObject {
   std::unique_ptr<QThreadPool> m_worker;
   CancelToken m_cancelLoading;
   QString m_path;
+  std::string m_hashOnDisk;
   std::string m_selected;
   std::map<QString, std::vector<DocumentIssue>> m_issuesBySource;
   std::vector<DocumentIssue> m_issues;

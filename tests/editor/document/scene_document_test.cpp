@@ -38,6 +38,7 @@ class SceneDocumentTest : public QObject {
   void savesAndOpens();
   void savingTellsTheOutcomeLater();
   void anEditDuringASaveStaysModified();
+  void changesOnDiskAreSeen();
   void aFailedOpenKeepsTheScene();
   void paintedLayersAreSavedAndRead();
   void unchangedLayersAreNotWrittenAgain();
@@ -100,6 +101,28 @@ void SceneDocumentTest::anEditDuringASaveStaysModified() {
   QVERIFY(edit::setValue(document, "weather", "wind_speed_m_s", 8.0, drag).ok());
   QVERIFY(document.finishSaving().ok());
   QVERIFY2(document.isModified(), "the merged step has the same index as the saved one");
+}
+
+void SceneDocumentTest::changesOnDiskAreSeen() {
+  SceneDocument document(m_reader);
+  QVERIFY(!document.isChangedOnDisk());
+  document.saveAs(path("a.spindrift"));
+  QVERIFY(document.finishSaving().ok());
+  QVERIFY(!document.isChangedOnDisk());
+  SceneDocument other(m_reader);
+  QVERIFY(other.open(path("a.spindrift")).ok());
+  QVERIFY(!other.isChangedOnDisk());
+  QVERIFY(edit::setValue(other, "weather", "wind_speed_m_s", 7.0).ok());
+  other.save();
+  QVERIFY(other.finishSaving().ok());
+  QVERIFY(!other.isChangedOnDisk());
+  QVERIFY(document.isChangedOnDisk());
+  document.save();
+  QVERIFY(document.finishSaving().ok());
+  QVERIFY(!document.isChangedOnDisk());
+  QVERIFY(other.isChangedOnDisk());
+  QVERIFY(QFile::remove(path("a.spindrift")));
+  QVERIFY2(!other.isChangedOnDisk(), "nothing would be overwritten");
 }
 
 void SceneDocumentTest::aFailedOpenKeepsTheScene() {
