@@ -1395,8 +1395,8 @@
         <translation>Přetáhněte sem výškový model</translation>
     </message>
     <message>
-        <source>or use File &gt; Import. Models (glTF, OBJ, PLY) are placed on the terrain; a snowfall emitter from Edit &gt; Add node lets it snow.</source>
-        <translation>nebo použijte Soubor &gt; Importovat. Modely (glTF, OBJ, PLY) se postaví na terén; sněžit začne po přidání sněžení v Úpravy &gt; Přidat uzel.</translation>
+        <source>or use File &gt; Import. It snows on the first terrain of a scene; models (glTF, OBJ, PLY) are placed where the view looks.</source>
+        <translation>nebo použijte Soubor &gt; Importovat. Na první terén scény hned sněží; modely (glTF, OBJ, PLY) se postaví tam, kam míří pohled.</translation>
     </message>
     <message>
         <source>%1[*] - Spindrift</source>

@@ -1391,8 +1391,8 @@
         <translation>将高程模型拖放到此处</translation>
     </message>
     <message>
-        <source>or use File &gt; Import. Models (glTF, OBJ, PLY) are placed on the terrain; a snowfall emitter from Edit &gt; Add node lets it snow.</source>
-        <translation>或使用“文件 &gt; 导入”。模型（glTF、OBJ、PLY）放置在地形上；通过“编辑 &gt; 添加节点”添加降雪即可下雪。</translation>
+        <source>or use File &gt; Import. It snows on the first terrain of a scene; models (glTF, OBJ, PLY) are placed where the view looks.</source>
+        <translation>或使用“文件 &gt; 导入”。场景的第一个地形上会立即下雪；模型（glTF、OBJ、PLY）放置在视图所看之处。</translation>
     </message>
     <message>
         <source>%1[*] - Spindrift</source>

@@ -150,8 +150,8 @@ void MainWindow::joinViewport() {
   connect(m_document, &SceneDocument::selectionChanged, m_viewport, &Viewport::setSelected);
   connect(m_time, &TimeContext::frameChanged, this, [this] { m_viewport->setFilmTime(m_time->filmTime()); });
   m_viewport->setEmptyHint(tr("Drop an elevation model here"),
-                           tr("or use File > Import. Models (glTF, OBJ, PLY) are placed on the terrain; "
-                              "a snowfall emitter from Edit > Add node lets it snow."));
+                           tr("or use File > Import. It snows on the first terrain of a scene; "
+                              "models (glTF, OBJ, PLY) are placed where the view looks."));
 }
 
 void MainWindow::firstLook(const SnapshotPointer& snapshot) {
