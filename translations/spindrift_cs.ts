@@ -19,6 +19,14 @@
         <source>Paint %1</source>
         <translation>Malovat: %1</translation>
     </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Přidat %1</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>Importovat %1</translation>
+    </message>
 </context>
 <context>
     <name>Properties</name>
@@ -721,6 +729,10 @@
         <source>Samples per pixel should be 1, 2, 4 or 8.</source>
         <translation>Počet vzorků na pixel má být 1, 2, 4 nebo 8.</translation>
     </message>
+    <message>
+        <source>The file %1 lies outside the scene&apos;s folder: the command line refuses it, and it is missing where the scene is moved to. Use File &gt; Collect files beside the scene.</source>
+        <translation>Soubor %1 leží mimo složku scény: příkazový řádek ho odmítne a po přesunutí scény bude chybět. Použijte Soubor &gt; Sebrat soubory ke scéně.</translation>
+    </message>
 </context>
 <context>
     <name>spin::Application</name>
@@ -971,6 +983,14 @@
         <source>Unit of the file</source>
         <translation>Jednotka souboru</translation>
     </message>
+    <message>
+        <source>Copy beside the scene</source>
+        <translation>Zkopírovat ke scéně</translation>
+    </message>
+    <message>
+        <source>Copies the file and what it refers to into the scene&apos;s folder, so that the scene can be moved. A scene without a folder gets the copy when it is saved.</source>
+        <translation>Zkopíruje soubor i to, na co odkazuje, do složky scény, takže scénu lze přesunout. Scéna bez složky dostane kopii při uložení.</translation>
+    </message>
 </context>
 <context>
     <name>spin::ImportFlow</name>
@@ -985,6 +1005,54 @@
     <message>
         <source>Import</source>
         <translation>Importovat</translation>
+    </message>
+    <message>
+        <source>Import terrain</source>
+        <translation>Import terénu</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Nahradit</translation>
+    </message>
+    <message>
+        <source>Its coordinates, credit line, name and import options go with it.</source>
+        <translation>S ním zmizí jeho souřadnice, uvedení zdroje, název i volby importu.</translation>
+    </message>
+    <message>
+        <source>What is painted on it (%1) is kept cell by cell if the new terrain has as many columns and rows. Otherwise it is left out, and the list of issues says so.</source>
+        <translation>Co je na něm namalováno (%1), zůstane buňku po buňce, má-li nový terén stejně sloupců a řádků. Jinak se to vynechá a seznam problémů to oznámí.</translation>
+    </message>
+    <message>
+        <source>Replace the terrain &quot;%1&quot;?</source>
+        <translation>Nahradit terén „%1“?</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not imported: another scene was opened meanwhile.</source>
+        <translation>„%1“ se neimportoval: mezitím byla otevřena jiná scéna.</translation>
+    </message>
+    <message>
+        <source>Copied to &quot;%1&quot;.</source>
+        <translation>Zkopírováno do „%1“.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; will be copied beside the scene when it is saved.</source>
+        <translation>„%1“ se zkopíruje ke scéně, až se uloží.</translation>
+    </message>
+    <message>
+        <source>The file stays where it is; scenes may use the folder &quot;%1&quot; from now on.</source>
+        <translation>Soubor zůstává na místě; scény od nynějška smějí používat složku „%1“.</translation>
+    </message>
+    <message>
+        <source>All files lie in the scene&apos;s folder already; nothing was copied.</source>
+        <translation>Všechny soubory už leží ve složce scény; nic se nekopírovalo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) copied to &quot;%1&quot;. Save the scene to use them from there.</source>
+        <translation>
+            <numerusform>%n soubor zkopírován do „%1“. Uložte scénu, aby ho používala odtud.</numerusform>
+            <numerusform>%n soubory zkopírovány do „%1“. Uložte scénu, aby je používala odtud.</numerusform>
+            <numerusform>%n souborů zkopírováno do „%1“. Uložte scénu, aby je používala odtud.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1327,8 +1395,8 @@
         <translation>Přetáhněte sem výškový model</translation>
     </message>
     <message>
-        <source>or use File &gt; Import. Models (glTF, OBJ, PLY) are placed on the terrain; a snowfall emitter from Edit &gt; Add node lets it snow.</source>
-        <translation>nebo použijte Soubor &gt; Importovat. Modely (glTF, OBJ, PLY) se postaví na terén; sněžit začne po přidání sněžení v Úpravy &gt; Přidat uzel.</translation>
+        <source>or use File &gt; Import. It snows on the first terrain of a scene; models (glTF, OBJ, PLY) are placed where the view looks.</source>
+        <translation>nebo použijte Soubor &gt; Importovat. Na první terén scény hned sněží; modely (glTF, OBJ, PLY) se postaví tam, kam míří pohled.</translation>
     </message>
     <message>
         <source>%1[*] - Spindrift</source>

@@ -11,4 +11,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>spin::ImportFlow</name>
+    <message numerus="yes">
+        <source>%n file(s) copied to &quot;%1&quot;. Save the scene to use them from there.</source>
+        <translation>
+            <numerusform>%n file copied to &quot;%1&quot;. Save the scene to use it from there.</numerusform>
+            <numerusform>%n files copied to &quot;%1&quot;. Save the scene to use them from there.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

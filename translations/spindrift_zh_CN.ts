@@ -19,6 +19,14 @@
         <source>Paint %1</source>
         <translation>绘制 %1</translation>
     </message>
+    <message>
+        <source>Add %1</source>
+        <translation>添加 %1</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>导入 %1</translation>
+    </message>
 </context>
 <context>
     <name>Properties</name>
@@ -721,6 +729,10 @@
         <source>Samples per pixel should be 1, 2, 4 or 8.</source>
         <translation>每像素采样数应为 1、2、4 或 8。</translation>
     </message>
+    <message>
+        <source>The file %1 lies outside the scene&apos;s folder: the command line refuses it, and it is missing where the scene is moved to. Use File &gt; Collect files beside the scene.</source>
+        <translation>文件 %1 位于场景文件夹之外：命令行会拒绝它，场景移到别处后也会找不到它。请使用“文件 &gt; 将文件收集到场景旁”。</translation>
+    </message>
 </context>
 <context>
     <name>spin::Application</name>
@@ -969,6 +981,14 @@
         <source>Unit of the file</source>
         <translation>文件单位</translation>
     </message>
+    <message>
+        <source>Copy beside the scene</source>
+        <translation>复制到场景旁</translation>
+    </message>
+    <message>
+        <source>Copies the file and what it refers to into the scene&apos;s folder, so that the scene can be moved. A scene without a folder gets the copy when it is saved.</source>
+        <translation>将文件及其引用的内容复制到场景的文件夹中，这样场景可以移动。尚无文件夹的场景在保存时得到副本。</translation>
+    </message>
 </context>
 <context>
     <name>spin::ImportFlow</name>
@@ -983,6 +1003,52 @@
     <message>
         <source>Import</source>
         <translation>导入</translation>
+    </message>
+    <message>
+        <source>Import terrain</source>
+        <translation>导入地形</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>Its coordinates, credit line, name and import options go with it.</source>
+        <translation>其坐标、数据来源、名称和导入选项将一并被替换。</translation>
+    </message>
+    <message>
+        <source>What is painted on it (%1) is kept cell by cell if the new terrain has as many columns and rows. Otherwise it is left out, and the list of issues says so.</source>
+        <translation>如果新地形的列数和行数相同，其上绘制的内容（%1）将逐格保留；否则不予使用，并在问题列表中说明。</translation>
+    </message>
+    <message>
+        <source>Replace the terrain &quot;%1&quot;?</source>
+        <translation>要替换地形“%1”吗？</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not imported: another scene was opened meanwhile.</source>
+        <translation>“%1”未导入：期间打开了另一个场景。</translation>
+    </message>
+    <message>
+        <source>Copied to &quot;%1&quot;.</source>
+        <translation>已复制到“%1”。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; will be copied beside the scene when it is saved.</source>
+        <translation>保存场景时会将“%1”复制到场景旁。</translation>
+    </message>
+    <message>
+        <source>The file stays where it is; scenes may use the folder &quot;%1&quot; from now on.</source>
+        <translation>文件保留在原处；此后场景可以使用文件夹“%1”。</translation>
+    </message>
+    <message>
+        <source>All files lie in the scene&apos;s folder already; nothing was copied.</source>
+        <translation>所有文件都已在场景的文件夹中；没有复制任何文件。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) copied to &quot;%1&quot;. Save the scene to use them from there.</source>
+        <translation>
+            <numerusform>已将 %n 个文件复制到“%1”。请保存场景，以便从那里使用它们。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1325,8 +1391,8 @@
         <translation>将高程模型拖放到此处</translation>
     </message>
     <message>
-        <source>or use File &gt; Import. Models (glTF, OBJ, PLY) are placed on the terrain; a snowfall emitter from Edit &gt; Add node lets it snow.</source>
-        <translation>或使用“文件 &gt; 导入”。模型（glTF、OBJ、PLY）放置在地形上；通过“编辑 &gt; 添加节点”添加降雪即可下雪。</translation>
+        <source>or use File &gt; Import. It snows on the first terrain of a scene; models (glTF, OBJ, PLY) are placed where the view looks.</source>
+        <translation>或使用“文件 &gt; 导入”。场景的第一个地形上会立即下雪；模型（glTF、OBJ、PLY）放置在视图所看之处。</translation>
     </message>
     <message>
         <source>%1[*] - Spindrift</source>

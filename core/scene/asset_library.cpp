@@ -35,10 +35,13 @@ std::shared_ptr<const TerrainData> scaled(const std::shared_ptr<const TerrainDat
   return copy;
 }
 
-template <class T>
-bool hasSize(const PaintedLayer& layer, const Raster<float>& heights) {
-  const auto* tiles = std::get_if<TiledRaster<T>>(&layer);
-  return tiles && tiles->width() == heights.width && tiles->height() == heights.height;
+/// Columns and rows of a painted layer; {0, 0} where nothing is painted.
+std::pair<int, int> sizeOf(const PaintedLayer& layer) {
+  if (const auto* types = std::get_if<TiledRaster<std::uint8_t>>(&layer))
+    return {types->width(), types->height()};
+  if (const auto* kelvin = std::get_if<TiledRaster<float>>(&layer))
+    return {kelvin->width(), kelvin->height()};
+  return {0, 0};
 }
 
 /// A layer of another size than the terrain cannot be used: its cells mean other places.
@@ -46,14 +49,17 @@ void checkLayerSizes(SceneSnapshot& snapshot, std::vector<AssetLibrary::Issue>& 
   for (SceneNode& node : snapshot.nodes) {
     if (std::holds_alternative<std::monostate>(node.painted) || !snapshot.terrain) continue;
     const Raster<float>& heights = snapshot.terrain->heights;
-    if (hasSize<std::uint8_t>(node.painted, heights) || hasSize<float>(node.painted, heights)) continue;
+    const auto [columns, rows] = sizeOf(node.painted);
+    if (columns == heights.width && rows == heights.height) continue;
     node.painted = std::monostate{};
-    issues.push_back({node.id,
-                      badInput("The painted layer does not fit", node.id,
-                               fmt::format("the terrain has {} x {} cells, the layer has others",
-                                           heights.width, heights.height),
-                               "Use the terrain it was painted on, or paint anew"),
-                      false});
+    issues.push_back(
+        {node.id,
+         badInput("The painted layer does not fit", node.id,
+                  fmt::format("it was painted on a terrain of {} x {} cells, the terrain now "
+                              "has {} x {}, so that it is left out",
+                              columns, rows, heights.width, heights.height),
+                  "Bring back the terrain it was painted on, or delete the layer and paint anew"),
+         false});
   }
 }
 

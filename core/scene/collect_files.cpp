@@ -120,4 +120,13 @@ Result<std::string> copyWithCompanions(const std::string& path, const std::strin
   return copy.toStdString();
 }
 
+std::string assetFolderOf(const std::string& sceneFile) {
+  const QFileInfo info(QString::fromStdString(sceneFile));
+  return info.absoluteDir().filePath(info.completeBaseName() + QStringLiteral(".assets")).toStdString();
+}
+
+Result<std::string> copyBeside(const std::string& path, const std::string& sceneFile) {
+  return copyWithCompanions(path, assetFolderOf(sceneFile));
+}
+
 }  // namespace spin

@@ -18,4 +18,9 @@ std::vector<std::string> companionsOf(const std::string& path);
 /// one of other content makes the copy take another name. Returns the path of the copied file.
 Result<std::string> copyWithCompanions(const std::string& path, const std::string& folder);
 
+/// The folder of a scene's own files: "kontertal.spindrift" has them in "kontertal.assets".
+std::string assetFolderOf(const std::string& sceneFile);
+/// Copies a file and its companions into the scene's folder of files; returns the path of the copy.
+Result<std::string> copyBeside(const std::string& path, const std::string& sceneFile);
+
 }  // namespace spin

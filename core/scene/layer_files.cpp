@@ -10,6 +10,7 @@
 
 #include "core/nodes/ground_nodes.h"
 #include "core/scene/asset_file.h"
+#include "core/scene/collect_files.h"
 
 namespace spin {
 namespace {
@@ -29,12 +30,6 @@ bool everyCell(const TiledRaster<T>& layer, const Good& good, T& bad) {
     for (int i = 0; i < layer.width(); ++i)
       if (bad = layer.at(i, j); !good(bad)) return false;
   return true;
-}
-
-/// "kontertal.spindrift" has its files in "kontertal.assets".
-QDir assetFolder(const std::string& sceneFile) {
-  const QFileInfo info(QString::fromStdString(sceneFile));
-  return QDir(info.absoluteDir().filePath(info.completeBaseName() + QStringLiteral(".assets")));
 }
 
 /// Writes through a temporary file of the same ending in the same folder.
@@ -104,7 +99,7 @@ Status loadPaintedLayers(Scene& scene, const std::string& sceneFile, AssetReader
 
 Status savePaintedLayers(Scene& scene, const std::string& sceneFile, const TerrainData& terrain,
                          AssetReader& reader) {
-  const QDir folder = assetFolder(sceneFile);
+  const QDir folder(QString::fromStdString(assetFolderOf(sceneFile)));
   for (const SceneNode& listed : scene.nodes()) {
     SceneNode& node = *scene.find(listed.id);
     const PropertyInfo* source = node.type->find("source");

@@ -11,6 +11,7 @@
 #include "core/base/log.h"
 #include "core/base/result.h"
 #include "editor/app/dark_look.h"
+#include "editor/app/file_flow.h"
 #include "editor/app/languages.h"
 #include "editor/app/main_window.h"
 #include "editor/app/tool_icons.h"
@@ -107,8 +108,17 @@ int printText(int argc, char** argv) {
   return 0;
 }
 
-void pictureWhenSimulated(MainWindow& window, const QString& file) {
-  const auto save = [&window, file] {
+/// Nobody is there to answer: what fails ends the program.
+void takePicture(MainWindow& window, const Options& options) {
+  bool failed = false;
+  window.files().showError = [&failed](const QString& text) {
+    logError(text.toStdString());
+    failed = true;
+  };
+  for (const QString& file : options.files) window.openOrImport(file);
+  window.files().showError = [](const QString& text) { logError(text.toStdString()); };
+  if (failed) return QCoreApplication::exit(exitCode(ErrorKind::BadInput));
+  const auto save = [&window, file = options.pictureFile] {
     QTimer::singleShot(kPictureDelayMilliseconds, &window,
                        [&window, file] { QCoreApplication::exit(window.grab().save(file) ? 0 : 1); });
   };
@@ -128,9 +138,11 @@ int runEditor(int argc, char** argv) {
   QApplication::setWindowIcon(programIcon());
   const bool known = loadLanguage(application, languageOf(argc, argv));
   const Options options = parse(application);
-  if (!known && !options.language.isEmpty())
+  if (!known && !options.language.isEmpty() && !availableLanguages().contains(options.language)) {
     qWarning("spindrift: language %s is not there; known are: %s", qPrintable(options.language),
              qPrintable(availableLanguages().join(QStringLiteral(", "))));
+    return exitCode(ErrorKind::Usage);
+  }
   applyDarkLook(application);
   if (screenIsThere()) loadGraphicsDriver();
 
@@ -143,10 +155,11 @@ int runEditor(int argc, char** argv) {
     QTimer::singleShot(0, measurement, &UiMeasurement::start);
     return QApplication::exec();
   }
-  if (!options.pictureFile.isEmpty()) pictureWhenSimulated(window, options.pictureFile);
   QTimer::singleShot(0, &window, [&window, &options] {
-    if (options.pictureFile.isEmpty()) window.offerRecovery();
-    for (const QString& file : options.files) window.openOrImport(file);
+    if (options.pictureFile.isEmpty())
+      window.start(options.files);
+    else
+      takePicture(window, options);
   });
   return QApplication::exec();
 }

@@ -3,7 +3,6 @@
 #include "editor/app/export_dialog.h"
 
 #include <QCheckBox>
-#include <QCloseEvent>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -14,6 +13,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
@@ -42,6 +42,10 @@ double bytesPerFrame(const QString& id, double pixels, double particles, double 
   if (id == QStringLiteral("exr")) return pixels * 8 * 0.7;
   if (id == QStringLiteral("cover_tif")) return cells * 12;
   return particles * 44;
+}
+
+QString stoppedText() {
+  return ExportDialog::tr("Stopped. Files written so far stay in the folder.");
 }
 
 }  // namespace
@@ -92,6 +96,15 @@ ExportDialog::ExportDialog(std::vector<ExportFormat> formats, const Defaults& de
   connect(m_start, &QPushButton::clicked, this, &ExportDialog::startOrCancel);
   connect(&m_job, &ExportJob::progressed, this, &ExportDialog::showProgress);
   connect(&m_job, &ExportJob::finished, this, &ExportDialog::showEnd);
+  askStop = [this] {
+    QMessageBox box(QMessageBox::Question, tr("Export"), tr("The export is still running."),
+                    QMessageBox::NoButton, this);
+    const QPushButton* stop = box.addButton(tr("Stop it"), QMessageBox::DestructiveRole);
+    QPushButton* goOn = box.addButton(tr("Keep exporting"), QMessageBox::RejectRole);
+    box.setDefaultButton(goOn);
+    box.exec();
+    return box.clickedButton() == stop;
+  };
   refresh();
 }
 
@@ -248,7 +261,7 @@ void ExportDialog::showEnd(bool ok, bool cancelled, const QString& message) {
     text = tr("Written to <a href=\"%1\">%2</a>.")
                .arg(QUrl::fromLocalFile(folder).toString(), folder.toHtmlEscaped());
   } else if (cancelled) {
-    text = tr("Stopped. Files written so far stay in the folder.");
+    text = stoppedText();
   } else {
     text = tr("The export failed.") + QStringLiteral("<br>") +
            message.toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
@@ -256,11 +269,20 @@ void ExportDialog::showEnd(bool ok, bool cancelled, const QString& message) {
   m_result->setText(text);
   m_result->show();
   refresh();
+  Q_EMIT ended(ok ? tr("Exported to %1.").arg(folder) : cancelled ? stoppedText() : tr("The export failed."));
 }
 
-void ExportDialog::closeEvent(QCloseEvent* event) {
-  m_job.cancel();
-  QDialog::closeEvent(event);
+/// Escape, the button and the window's own cross all come here.
+void ExportDialog::reject() {
+  if (m_job.running()) {
+    if (!askStop()) return;
+    // It may have ended while the question stood there. Else the dialog does not live to see its end.
+    if (m_job.running()) {
+      m_job.cancel();
+      Q_EMIT ended(stoppedText());
+    }
+  }
+  QDialog::reject();
 }
 
 }  // namespace spin

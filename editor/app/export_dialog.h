@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QDialog>
+#include <functional>
 #include <vector>
 
 #include "editor/app/export_job.h"
@@ -52,8 +53,14 @@ class ExportDialog : public QDialog {
   /// Rough size of the files, bytes.
   double estimatedBytes() const;
 
- protected:
-  void closeEvent(QCloseEvent* event) override;
+  /// Whether an export under way may be given up; a function, so that tests answer without a dialog.
+  std::function<bool()> askStop;
+  /// Closes the dialog; a running export only after a question.
+  void reject() override;
+
+ Q_SIGNALS:
+  /// How the export ended, a sentence.
+  void ended(const QString& text);
 
  private:
   void addFormats(QVBoxLayout* column);

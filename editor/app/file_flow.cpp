@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QStandardPaths>
 
 namespace spin {
@@ -26,6 +27,7 @@ FileFlow::FileFlow(SceneDocument* document, QWidget* window)
            : answer == QMessageBox::Discard ? Unsaved::Discard
                                             : Unsaved::Cancel;
   };
+  askOverwrite = [this] { return showOverwriteQuestion(); };
   askOpenPath = [this] {
     return QFileDialog::getOpenFileName(m_window, tr("Open scene"), m_lastFolder,
                                         tr("Spindrift scenes (*.spindrift)"));
@@ -65,8 +67,29 @@ bool FileFlow::openPath(const QString& path) {
 
 bool FileFlow::save() {
   if (m_document->path().isEmpty()) return saveAs();
+  if (m_document->isChangedOnDisk()) {
+    const Overwrite answer = askOverwrite();
+    if (answer == Overwrite::SaveAs) return saveAs();
+    if (answer == Overwrite::Cancel) return false;
+  }
   m_document->save();
   return true;
+}
+
+FileFlow::Overwrite FileFlow::showOverwriteQuestion() {
+  QMessageBox box(
+      QMessageBox::Warning, tr("Changed on disk"),
+      tr("Another program has changed \"%1\" since it was opened or saved here. Saving overwrites "
+         "these changes.")
+          .arg(QDir::toNativeSeparators(m_document->path())),
+      QMessageBox::Cancel, m_window);
+  const QPushButton* overwrite = box.addButton(tr("Overwrite"), QMessageBox::DestructiveRole);
+  QPushButton* elsewhere = box.addButton(tr("Save as..."), QMessageBox::AcceptRole);
+  box.setDefaultButton(elsewhere);
+  box.exec();
+  return box.clickedButton() == overwrite   ? Overwrite::Overwrite
+         : box.clickedButton() == elsewhere ? Overwrite::SaveAs
+                                            : Overwrite::Cancel;
 }
 
 bool FileFlow::saveAs() {

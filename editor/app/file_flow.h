@@ -18,10 +18,12 @@ class FileFlow : public QObject {
   Q_OBJECT
  public:
   enum class Unsaved { Save, Discard, Cancel };
+  enum class Overwrite { Overwrite, SaveAs, Cancel };
 
   FileFlow(SceneDocument* document, QWidget* window);
 
   std::function<Unsaved()> askUnsaved;
+  std::function<Overwrite()> askOverwrite;             ///< the file is no longer what was opened
   std::function<QString()> askOpenPath;                ///< empty = cancelled
   std::function<QString(const QString&)> askSavePath;  ///< suggestion -> path; empty = cancelled
   std::function<void(const QString&)> showError;
@@ -39,6 +41,8 @@ class FileFlow : public QObject {
   void fillRecent(QMenu* menu);
 
  private:
+  Overwrite showOverwriteQuestion();
+
   QString m_lastFolder;
   SceneDocument* m_document;
   QWidget* m_window;

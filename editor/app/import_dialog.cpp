@@ -15,6 +15,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <cmath>
 
 namespace spin {
 namespace {
@@ -64,6 +65,13 @@ ImportDialog::ImportDialog(std::shared_ptr<AssetReader> reader, const QString& f
     addTerrainOptions(form);
   else
     addModelOptions(form);
+  m_copy = new QCheckBox(tr("Copy beside the scene"));
+  m_copy->setObjectName("copyBeside");
+  m_copy->setChecked(true);
+  m_copy->setToolTip(
+      tr("Copies the file and what it refers to into the scene's folder, so that the scene can be moved. A "
+         "scene without a folder gets the copy when it is saved."));
+  form->addRow(m_copy);
   m_progress = new QProgressBar;
   m_progress->setRange(0, 0);
   m_progress->setFormat(tr("Reading..."));
@@ -82,7 +90,7 @@ ImportDialog::ImportDialog(std::shared_ptr<AssetReader> reader, const QString& f
     reject();
   });
   connect(m_again, &QPushButton::clicked, this, &ImportDialog::readAgain);
-  connect(&m_job, &ImportJob::done, this, &ImportDialog::showSummary);
+  connect(&m_job, &ImportJob::done, this, &ImportDialog::showFindings);
   connect(&m_job, &ImportJob::failed, this, &ImportDialog::showError);
   readAgain();
 }
@@ -130,27 +138,30 @@ ImportOptions ImportDialog::options() const {
   return options;
 }
 
-edit::PropertyValues ImportDialog::values() const {
-  edit::PropertyValues values;
-  if (m_kind == ImportKind::Terrain) {
-    if (m_epsg->value() != 0) values.emplace_back("epsg", static_cast<std::int64_t>(m_epsg->value()));
-    if (m_cellSize->value() > 0.0) values.emplace_back("cell_size_m", m_cellSize->value());
-    if (m_heightUnit->value() != 1.0) values.emplace_back("height_unit_m", m_heightUnit->value());
-    if (m_hasNoData->isChecked()) {
-      values.emplace_back("has_no_data", true);
-      values.emplace_back("no_data", m_noData->value());
-    }
-    return values;
-  }
-  if (m_upAxis->currentIndex() != 0)
-    values.emplace_back("up_axis", static_cast<std::int64_t>(m_upAxis->currentIndex()));
-  if (m_unit->value() > 0.0) values.emplace_back("unit_m", m_unit->value());
-  return values;
+ImportFindings ImportDialog::findings() const {
+  const ImportOptions now = options();
+  const bool sameHoles = now.noDataValue == m_readWith.noDataValue ||
+                         (std::isnan(now.noDataValue) && std::isnan(m_readWith.noDataValue));
+  ImportFindings findings = m_findings;
+  // The place to look at moves with the size of the cells.
+  if (!sameHoles || now.cellSize != m_readWith.cellSize || now.heightScale != m_readWith.heightScale)
+    findings.view.reset();
+  return findings;
+}
+
+bool ImportDialog::copyWanted() const {
+  return m_copy->isChecked();
+}
+
+void ImportDialog::hideCopy() {
+  m_copy->setChecked(false);
+  m_copy->hide();
 }
 
 void ImportDialog::readAgain() {
   setBusy(true);
-  m_job.read(m_file, m_kind, options());
+  m_readWith = options();
+  m_job.read(m_file, m_kind, m_readWith);
 }
 
 void ImportDialog::setBusy(bool busy) {
@@ -160,7 +171,9 @@ void ImportDialog::setBusy(bool busy) {
   m_accept->setEnabled(m_ready);
 }
 
-void ImportDialog::showSummary(const ImportSummary& summary) {
+void ImportDialog::showFindings(const ImportFindings& findings) {
+  m_findings = findings;
+  const ImportSummary& summary = findings.summary;
   m_table->setRowCount(static_cast<int>(summary.lines.size()));
   for (int row = 0; row < m_table->rowCount(); ++row) {
     const SummaryLine& line = summary.lines[static_cast<std::size_t>(row)];

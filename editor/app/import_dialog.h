@@ -5,7 +5,6 @@
 #include <QDialog>
 
 #include "editor/app/import_job.h"
-#include "editor/commands/edits.h"
 
 class QCheckBox;
 class QComboBox;
@@ -27,16 +26,20 @@ class ImportDialog : public QDialog {
   ImportDialog(std::shared_ptr<AssetReader> reader, const QString& file, ImportKind kind,
                QWidget* parent = nullptr);
 
-  /// The options as properties of the new node, those that differ from its defaults.
-  edit::PropertyValues values() const;
   ImportOptions options() const;
+  /// What was found in the file; without the view where the options have changed since it was read.
+  ImportFindings findings() const;
   bool ready() const { return m_ready; }
+  /// Whether the file is to be copied beside the scene.
+  bool copyWanted() const;
+  /// Takes the question for a copy away: the file lies beside the scene already.
+  void hideCopy();
 
  private:
   void addTerrainOptions(QFormLayout* form);
   void addModelOptions(QFormLayout* form);
   void readAgain();
-  void showSummary(const ImportSummary& summary);
+  void showFindings(const ImportFindings& findings);
   void showError(const QString& message);
   void setBusy(bool busy);
 
@@ -44,9 +47,12 @@ class ImportDialog : public QDialog {
   ImportKind m_kind;
   ImportJob m_job;
   bool m_ready = false;
+  ImportOptions m_readWith;
+  ImportFindings m_findings;
   QTableWidget* m_table;
   QLabel* m_warnings;
   QProgressBar* m_progress;
+  QCheckBox* m_copy;
   QPushButton* m_accept;
   QPushButton* m_again;
   QSpinBox* m_epsg = nullptr;

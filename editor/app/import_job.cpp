@@ -20,16 +20,16 @@ QString patterns(const QStringList& endings) {
   return list.join(u' ');
 }
 
-Result<ImportSummary> summaryOf(AssetReader& reader, const std::string& path, ImportKind kind,
-                                const ImportOptions& options, const CancelToken& cancel) {
+Result<ImportFindings> look(AssetReader& reader, const std::string& path, ImportKind kind,
+                            const ImportOptions& options, const CancelToken& cancel) {
   if (kind == ImportKind::Terrain) {
     Result<TerrainImport> read = reader.readTerrain(path, options, cancel);
     if (!read.ok()) return read.error();
-    return read->summary;
+    return ImportFindings{read->summary, read->terrain->credit, firstViewOf(read->terrain->heights)};
   }
   Result<ModelImport> read = reader.readModel(path, options, cancel);
   if (!read.ok()) return read.error();
-  return read->summary;
+  return ImportFindings{read->summary, {}, {}};
 }
 
 }  // namespace
@@ -72,12 +72,12 @@ void ImportJob::read(const QString& file, ImportKind kind, const ImportOptions& 
   m_cancel = CancelToken();
   m_running = true;
   m_pool.start([this, number = m_number, cancel = m_cancel, path = file.toStdString(), kind, options] {
-    const Result<ImportSummary> result = summaryOf(*m_reader, path, kind, options, cancel);
+    const Result<ImportFindings> result = look(*m_reader, path, kind, options, cancel);
     QMetaObject::invokeMethod(this, [this, number, result] { answer(number, result); });
   });
 }
 
-void ImportJob::answer(quint64 number, const Result<ImportSummary>& result) {
+void ImportJob::answer(quint64 number, const Result<ImportFindings>& result) {
   if (number != m_number) return;
   m_running = false;
   if (result.ok())

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/scene/asset_library.h"
+#include "core/scene/first_view.h"
 
 namespace spin {
 
@@ -17,6 +18,13 @@ enum class ImportKind { Unknown, Terrain, Model };
 ImportKind importKindOf(const QString& file);
 /// Filter of a file dialog: all readable files, terrains, models.
 QString importFilter();
+
+/// What an import needs to know of a file besides its content.
+struct ImportFindings {
+  ImportSummary summary;
+  std::string credit;             ///< of a terrain
+  std::optional<FirstView> view;  ///< of a terrain with ground
+};
 
 /// Reads a foreign file on a thread to show what is in it before it becomes part of the scene. One at a time;
 /// a new read cancels the one before.
@@ -31,11 +39,11 @@ class ImportJob : public QObject {
   bool running() const { return m_running; }
 
  Q_SIGNALS:
-  void done(const spin::ImportSummary& summary);
+  void done(const spin::ImportFindings& findings);
   void failed(const QString& message);
 
  private:
-  void answer(quint64 number, const Result<ImportSummary>& result);
+  void answer(quint64 number, const Result<ImportFindings>& result);
 
   std::shared_ptr<AssetReader> m_reader;
   QThreadPool m_pool;

@@ -64,7 +64,7 @@ void MainActions::addFileMenu() {
   add(menu, "fileSaveAs", tr("Save &as..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
       [&files] { files.saveAs(); });
   add(menu, "fileCollect", tr("&Collect files beside the scene"), {}, [this] {
-    const Status status = edit::collectFiles(m_window->document());
+    const Status status = m_window->imports().collect();
     if (!status.ok()) m_window->files().showError(QString::fromStdString(status.error().text()));
   });
   menu->addSeparator();

@@ -17,6 +17,8 @@
 #include "editor/app/main_actions.h"
 #include "editor/app/main_window.h"
 #include "editor/app/tool_icons.h"
+#include "editor/panels/field_keys.h"
+#include "editor/viewport/picture_view.h"
 #include "editor/viewport/viewport.h"
 
 namespace spin {
@@ -80,6 +82,7 @@ void MainActions::addBrushTools(QToolBar* bar) {
     const QSignalBlocker quiet(radius);
     radius->setValue(metres);
   });
+  connect(new FieldKeys(radius), &FieldKeys::entered, view, [view] { view->surface()->setFocus(); });
   QAction* brush = findChild<QAction*>(QStringLiteral("toolBrush"));
   for (QWidget* widget : {static_cast<QWidget*>(type), static_cast<QWidget*>(radius)}) {
     QAction* shown = bar->addWidget(widget);

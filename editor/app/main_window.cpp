@@ -22,10 +22,12 @@
 #include "editor/app/scene_tools.h"
 #include "editor/app/status_panel.h"
 #include "editor/document/autosave.h"
+#include "editor/document/scene_lock.h"
 #include "editor/panels/issues_panel.h"
 #include "editor/panels/outliner_panel.h"
 #include "editor/panels/property_panel.h"
 #include "editor/timeline/timeline_panel.h"
+#include "editor/viewport/picture_view.h"
 #include "editor/viewport/scene_picker.h"
 #include "editor/viewport/viewport.h"
 #include "plugins/host/plugin_host.h"
@@ -44,6 +46,14 @@ T settingsOf(const Scene& scene, const NodeType& type) {
   return data ? *data : T{};
 }
 
+/// What the middle of the view shows of the terrain.
+ImportFlow::Sight sightOf(const Viewport& viewport) {
+  const ViewportContext seen = viewport.context();
+  if (!seen.scene) return {};
+  const Vec2d middle{0.5 * seen.view.width(), 0.5 * seen.view.height()};
+  return {pickTerrain(*seen.scene, seen.view.ray(middle)), seen.scene->terrain};
+}
+
 }  // namespace
 
 MainWindow::MainWindow(std::shared_ptr<AssetReader> reader, QWidget* parent)
@@ -57,8 +67,10 @@ MainWindow::MainWindow(std::shared_ptr<AssetReader> reader, QWidget* parent)
       m_files(new FileFlow(m_document, this)),
       m_imports(new ImportFlow(m_document, std::move(reader), this)),
       m_autosave(new Autosave(m_document, {}, 5000, this)),
+      m_sceneLock(new SceneLock(m_document, {}, this)),
       m_plugins(std::make_unique<PluginHost>()) {
   setObjectName("mainWindow");
+  askRecovery = [this](const Recovery& found) { return showRecoveryQuestion(found); };
   setAcceptDrops(true);
   resize(1440, 900);
   setDockNestingEnabled(true);
@@ -74,6 +86,8 @@ MainWindow::MainWindow(std::shared_ptr<AssetReader> reader, QWidget* parent)
   connect(m_document, &SceneDocument::modifiedChanged, this, &MainWindow::showTitle);
   connect(m_tools, &SceneTools::message, this, &MainWindow::showMessage);
   connect(m_imports, &ImportFlow::message, this, &MainWindow::showMessage);
+  connect(m_imports, &ImportFlow::firstTerrainAdded, this, [this] { m_lookWanted = true; });
+  m_imports->sight = [this] { return sightOf(*m_viewport); };
   connect(m_viewport, &Viewport::failed, this, &MainWindow::showMessage);
   connect(m_document, &SceneDocument::saveFinished, this, [this](bool ok, const QString&) {
     if (ok) showMessage(tr("Saved."));
@@ -100,8 +114,8 @@ void MainWindow::addDocks() {
   };
   auto* outliner = new OutlinerPanel(m_document);
   auto* properties = new PropertyPanel(m_document, m_time);
-  connect(outliner, &OutlinerPanel::nodeActivated, m_viewport, &Viewport::frameSelection);
   connect(properties, &PropertyPanel::editRefused, this, &MainWindow::showMessage);
+  connect(properties, &PropertyPanel::entered, this, [this] { m_viewport->surface()->setFocus(); });
   QDockWidget* left = dock("outlinerDock", tr("Scene"), outliner, Qt::RightDockWidgetArea);
   QDockWidget* right = dock("propertiesDock", tr("Properties"), properties, Qt::RightDockWidgetArea);
   QDockWidget* issues =
@@ -136,8 +150,8 @@ void MainWindow::joinViewport() {
   connect(m_document, &SceneDocument::selectionChanged, m_viewport, &Viewport::setSelected);
   connect(m_time, &TimeContext::frameChanged, this, [this] { m_viewport->setFilmTime(m_time->filmTime()); });
   m_viewport->setEmptyHint(tr("Drop an elevation model here"),
-                           tr("or use File > Import. Models (glTF, OBJ, PLY) are placed on the terrain; "
-                              "a snowfall emitter from Edit > Add node lets it snow."));
+                           tr("or use File > Import. It snows on the first terrain of a scene; "
+                              "models (glTF, OBJ, PLY) are placed where the view looks."));
 }
 
 void MainWindow::firstLook(const SnapshotPointer& snapshot) {
@@ -182,22 +196,40 @@ void MainWindow::openOrImport(const QString& path) {
     m_imports->import(path);
 }
 
-void MainWindow::offerRecovery() {
+void MainWindow::start(const QStringList& files) {
+  if (!offerRecovery()) {
+    for (const QString& file : files) openOrImport(file);
+  } else if (!files.isEmpty()) {
+    // Opening them would put the recovered work up for discarding.
+    showMessage(tr("The recovered scene is open; %n file(s) of the command line were not opened.", nullptr,
+                   static_cast<int>(files.size())));
+  }
+}
+
+MainWindow::RecoveryAnswer MainWindow::showRecoveryQuestion(const Recovery& found) {
+  QMessageBox box(QMessageBox::Question, tr("Unsaved work found"),
+                  tr("\"%1\" was not saved. Its last changes were kept on %2.")
+                      .arg(found.displayName, locale().toString(found.written, QLocale::ShortFormat)),
+                  QMessageBox::NoButton, this);
+  QPushButton* recover = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
+  QPushButton* discard = box.addButton(tr("Delete it"), QMessageBox::DestructiveRole);
+  box.addButton(tr("Later"), QMessageBox::RejectRole);
+  box.exec();
+  return box.clickedButton() == recover   ? RecoveryAnswer::Recover
+         : box.clickedButton() == discard ? RecoveryAnswer::Discard
+                                          : RecoveryAnswer::Later;
+}
+
+bool MainWindow::offerRecovery() {
   for (const Recovery& recovery : m_autosave->recoverable()) {
-    QMessageBox box(QMessageBox::Question, tr("Unsaved work found"),
-                    tr("\"%1\" was not saved. Its last changes were kept on %2.")
-                        .arg(recovery.displayName, locale().toString(recovery.written, QLocale::ShortFormat)),
-                    QMessageBox::NoButton, this);
-    QPushButton* recover = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
-    QPushButton* discard = box.addButton(tr("Delete it"), QMessageBox::DestructiveRole);
-    box.addButton(tr("Later"), QMessageBox::RejectRole);
-    box.exec();
-    if (box.clickedButton() == discard) m_autosave->discard(recovery);
-    if (box.clickedButton() != recover) continue;
+    const RecoveryAnswer answer = askRecovery(recovery);
+    if (answer == RecoveryAnswer::Discard) m_autosave->discard(recovery);
+    if (answer != RecoveryAnswer::Recover) continue;
     const Status status = m_autosave->recover(recovery);
-    if (status.ok()) return;
+    if (status.ok()) return true;
     m_files->showError(QString::fromStdString(status.error().text()));
   }
+  return false;
 }
 
 void MainWindow::showExportDialog() {
@@ -227,10 +259,13 @@ void MainWindow::showExportDialog() {
       defaults.particlesPerFrame = static_cast<double>(flakes->particles.size());
   auto* dialog = new ExportDialog(exportFormats(*m_plugins), defaults, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &ExportDialog::ended, this, &MainWindow::showMessage);
   dialog->show();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  for (ExportDialog* dialog : findChildren<ExportDialog*>())
+    if (dialog->job().running() && !dialog->close()) return event->ignore();
   if (!m_files->mayDiscard()) {
     event->ignore();
     return;

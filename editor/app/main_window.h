@@ -3,9 +3,11 @@
 #pragma once
 
 #include <QMainWindow>
+#include <functional>
 #include <memory>
 
 #include "editor/app/simulation_controller.h"
+#include "editor/document/recovery_files.h"
 #include "editor/document/scene_document.h"
 #include "editor/document/time_context.h"
 
@@ -16,6 +18,7 @@ class FileFlow;
 class ImportFlow;
 class MainActions;
 class PluginHost;
+class SceneLock;
 class SceneTools;
 class TimelinePanel;
 class Viewport;
@@ -39,8 +42,13 @@ class MainWindow : public QMainWindow {
 
   /// Opens a scene file or imports a terrain or model, by its ending.
   void openOrImport(const QString& path);
-  /// Offers what an earlier run did not save. Does nothing if there is nothing.
-  void offerRecovery();
+  /// What a started program does: offers what an earlier run did not save, or opens the files if nothing is
+  /// recovered.
+  void start(const QStringList& files);
+
+  enum class RecoveryAnswer { Recover, Discard, Later };
+  /// A function, so that tests answer without a dialog.
+  std::function<RecoveryAnswer(const Recovery&)> askRecovery;
   void showExportDialog();
   void resetLayout();
 
@@ -57,6 +65,9 @@ class MainWindow : public QMainWindow {
   void showMessage(const QString& text);
   void updateFilm();
   void updateKeys();
+  /// True if a scene was recovered.
+  bool offerRecovery();
+  RecoveryAnswer showRecoveryQuestion(const Recovery& found);
   void firstLook(const SnapshotPointer& snapshot);
   void restoreLayout();
   void saveLayout();
@@ -70,6 +81,7 @@ class MainWindow : public QMainWindow {
   FileFlow* m_files;
   ImportFlow* m_imports;
   Autosave* m_autosave;
+  SceneLock* m_sceneLock;
   MainActions* m_actions = nullptr;
   std::unique_ptr<PluginHost> m_plugins;
   QByteArray m_defaultLayout;

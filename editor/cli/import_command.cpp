@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
-#include "core/nodes/camera_node.h"
+#include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
-#include "core/nodes/weather_nodes.h"
 #include "core/scene/collect_files.h"
+#include "core/scene/import_scene.h"
 #include "editor/cli/commands.h"
-#include "editor/cli/first_view.h"
 #include "plugins/host/plugin_host.h"
 #include "plugins/sdk/file_name.h"
 
@@ -37,115 +35,69 @@ void printSummary(const ImportSummary& summary) {
   for (const std::string& warning : summary.warnings) std::printf("warning: %s\n", warning.c_str());
 }
 
-/// "Hut (2).glb" gives "hut_2".
-std::string idFrom(const std::string& name) {
-  std::string id;
-  for (const char c : name) {
-    const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    const bool plain = (lower >= 'a' && lower <= 'z') || (lower >= '0' && lower <= '9');
-    if (plain)
-      id += lower;
-    else if (!id.empty() && id.back() != '_')
-      id += '_';
+/// Errors of the words that were given are errors of use.
+Error asUsage(Error error) {
+  error.kind = ErrorKind::Usage;
+  return error;
+}
+
+/// The scene to add to, and what to tell once it is saved.
+struct FilledScene {
+  std::string file;
+  LoadedScene loaded;
+  std::vector<std::string> messages;
+};
+
+/// A new scene gets all that snow needs.
+Result<FilledScene> sceneToFill(const std::string& file) {
+  FilledScene filled;
+  filled.file = file;
+  if (fs::exists(file)) {
+    Result<LoadedScene> loaded = loadScene(file);
+    if (!loaded) return loaded.error();
+    filled.loaded = std::move(*loaded);
+    return filled;
   }
-  while (!id.empty() && id.back() == '_') id.pop_back();
-  return id.empty() || (id[0] >= '0' && id[0] <= '9') ? "node_" + id : id;
-}
-
-void set(SceneNode& node, const char* property, const Value& value) {
-  const PropertyInfo* info = node.type->find(property);
-  SPIN_CHECK(info, std::string("no property ") + property);
-  setPlainValue(node, *info, value);
-}
-
-Status checkOptions(const SceneNode& node) {
-  for (const PropertyRow& row : node.type->properties)
-    if (Status valid = validate(row, plainValue(node, row)); !valid) {
-      Error error = valid.error();
-      error.kind = ErrorKind::Usage;
-      return error;
-    }
-  return {};
-}
-
-SceneNode nodeFor(const ImportRequest& request, bool terrain, const std::string& id) {
-  const std::string name = request.name.empty() ? fs::path(request.file).stem().string() : request.name;
-  SceneNode node = makeNode(terrain ? kTerrainType : kModelType, id, name);
-  const ImportOptions& o = request.options;
-  if (terrain) {
-    set(node, "epsg", static_cast<std::int64_t>(o.epsg));
-    set(node, "cell_size_m", o.cellSize);
-    set(node, "height_unit_m", o.heightScale);
-    set(node, "has_no_data", !std::isnan(o.noDataValue));
-    if (!std::isnan(o.noDataValue)) set(node, "no_data", o.noDataValue);
-  } else {
-    set(node, "up_axis", static_cast<std::int64_t>(o.upAxis));
-    set(node, "unit_m", o.unitScale);
-  }
-  return node;
-}
-
-/// In real time nobody sees the cover grow: 5 s of film show four hours.
-constexpr const char* kNewTimeScale = "2880";
-
-/// The scene to add to; a new one gets all that snow needs.
-Result<LoadedScene> sceneToFill(const std::string& file) {
-  if (fs::exists(file)) return loadScene(file);
-  LoadedScene made;
-  made.scene = makeDefaultScene();
-  if (Status added = made.scene.append(makeNode(kSnowfallType, "snowfall", "Snowfall")); !added)
-    return added.error();
-  if (Status set = made.scene.setFromText("simulation.time_scale", kNewTimeScale); !set) return set.error();
-  std::printf(
-      "made %s with weather, snowfall, camera, picture and simulation settings; a second of film shows "
-      "%s s of weather (simulation.time_scale)\n",
-      file.c_str(), kNewTimeScale);
-  return made;
-}
-
-/// Copies the file with what it refers to into NAME.assets/ beside the scene.
-Result<std::string> copyBeside(const std::string& file, const std::string& scene) {
-  const fs::path path(scene);
-  return copyWithCompanions(file, (path.parent_path() / (path.stem().string() + ".assets")).string());
+  filled.loaded.scene = makeDefaultScene();
+  applySetUp(snowSetUp(filled.loaded.scene), filled.loaded.scene);
+  const auto* settings = filled.loaded.scene.firstOf(kSimulationType)->as<SimulationNode>();
+  filled.messages.push_back(
+      fmt::format("made {} with weather, snowfall, camera, picture and simulation settings; a second of film "
+                  "shows {:g} s "
+                  "of weather (simulation.time_scale)",
+                  file, settings->timeScale));
+  return filled;
 }
 
 /// A camera that nobody has moved looks at the new terrain.
-void turnCamera(Scene& scene, const TerrainData& terrain) {
-  const SceneNode* first = scene.firstOf(kCameraType);
-  if (!first) return;
-  SceneNode* camera = scene.find(first->id);
-  const auto* now = camera->as<CameraNode>();
-  const CameraNode untouched;
-  if (!now || now->position != untouched.position || now->target != untouched.target) return;
+void turnCamera(FilledScene& filled, const TerrainData& terrain) {
   const std::optional<FirstView> view = firstViewOf(terrain.heights);
-  if (!view) return;
-  set(*camera, "position_m", view->position);
-  set(*camera, "target_m", view->target);
-  std::printf("turned the camera to the terrain\n");
+  const SceneSetUp setUp = view ? cameraSetUp(filled.loaded.scene, *view) : SceneSetUp();
+  applySetUp(setUp, filled.loaded.scene);
+  if (!setUp.changes.empty()) filled.messages.push_back("turned the camera to the terrain");
 }
 
 /// Where the wish says; else on the ground that the camera looks at.
-Status place(const ImportRequest& request, const Scene& scene, SceneNode& node) {
+Status place(const ImportRequest& request, FilledScene& filled, SceneNode& node) {
   if (!request.position.empty()) {
     Scene alone;
     const std::string path = node.id + ".position_m";
     if (Status added = alone.append(node); !added) return added;
     if (Status moved = alone.setFromText(path, request.position); !moved) {
-      Error error = moved.error();
-      error.kind = ErrorKind::Usage;
+      Error error = asUsage(moved.error());
       error.advice = "Write --position 'X Y Z' in metres from the terrain's south-west corner";
       return error;
     }
     node = alone.nodes().front();
     return {};
   }
-  const SceneNode* first = scene.firstOf(kCameraType);
-  const auto* camera = first ? first->as<CameraNode>() : nullptr;
-  if (!camera || !scene.firstOf(kTerrainType)) return {};
-  const Vec3d at{std::round(camera->target.x), std::round(camera->target.y), 0.0};
-  set(node, "position_m", at);
-  std::printf("placed it at %g %g, on the ground that the camera looks at; --position places it elsewhere\n",
-              at.x, at.y);
+  const std::optional<Vec3d> target = cameraTarget(filled.loaded.scene);
+  if (!target) return {};
+  const Vec3d at = standingPlace(*target, nullptr);
+  setProperty(node, "position_m", at);
+  filled.messages.push_back(fmt::format(
+      "placed it at {:g} {:g}, on the ground that the camera looks at; --position places it elsewhere", at.x,
+      at.y));
   return {};
 }
 
@@ -154,46 +106,63 @@ struct Imported {
   std::shared_ptr<const TerrainData> terrain;  ///< null: a model
 };
 
-Status addToScene(const ImportRequest& request, const Imported& imported) {
-  const bool terrain = imported.terrain != nullptr;
-  const std::string sceneFile = fs::absolute(request.into).lexically_normal().string();
-  Result<LoadedScene> loaded = sceneToFill(sceneFile);
-  if (!loaded) return loaded.error();
+/// The path that the node stores; the file is copied first where that is wanted.
+Result<std::string> storedSource(const ImportRequest& request, const std::string& sceneFile) {
   std::string file = fs::absolute(request.file).lexically_normal().string();
-  const std::string wish = terrain ? "terrain" : idFrom(fs::path(request.file).stem().string());
-  SceneNode node = nodeFor(request, terrain, loaded->scene.freeId(wish));
   if (request.copy) {
     Result<std::string> copy = copyBeside(file, sceneFile);
     if (!copy) return copy.error();
     file = *copy;
-    // The credit may stand in a file that stays where it is.
-    if (terrain) set(node, "credit", imported.terrain->credit);
   }
   const std::string stored = storedAssetPath(sceneFile, file);
   if (Result<std::string> allowed = resolveAssetPath(sceneFile, stored, {request.allowedFolders}); !allowed) {
     Error error = allowed.error();
     error.advice =
         "Add --copy to copy it beside the scene, or --allow FOLDER, here and whenever the scene is opened, "
-        "to "
-        "use it where it is";
+        "to use it where it is";
     return error;
   }
-  set(node, "source", stored);
-  if (Status valid = checkOptions(node); !valid) return valid;
+  return stored;
+}
+
+/// Everything that may be refused is looked at before a file is copied: a refusal leaves nothing behind.
+Status addToScene(const ImportRequest& request, const Imported& imported) {
+  const bool terrain = imported.terrain != nullptr;
+  Result<FilledScene> filled = sceneToFill(fs::absolute(request.into).lexically_normal().string());
+  if (!filled) return filled.error();
+  Scene& scene = filled->loaded.scene;
+  SceneNode node =
+      importedNode(scene, terrain ? kTerrainType : kModelType, request.file, request.name, request.options);
+  if (Status valid = checkProperties(node); !valid) return asUsage(valid.error());
+  // The credit may stand in a file that stays where it is.
+  if (terrain && request.copy) setProperty(node, "credit", imported.terrain->credit);
   if (terrain)
-    turnCamera(loaded->scene, *imported.terrain);
-  else if (Status placed = place(request, loaded->scene, node); !placed)
+    turnCamera(*filled, *imported.terrain);
+  else if (Status placed = place(request, *filled, node); !placed)
     return placed;
   const std::string id = node.id;
-  if (Status added = loaded->scene.append(std::move(node)); !added) return added;
-  if (Status saved = saveScene(loaded->scene, loaded->extras, sceneFile); !saved) return saved;
-  std::printf("added node %s to %s\n", id.c_str(), sceneFile.c_str());
+  if (Status added = scene.append(std::move(node)); !added) return added;
+  const Result<std::string> stored = storedSource(request, filled->file);
+  if (!stored) return stored.error();
+  setProperty(*scene.find(id), "source", *stored);
+  if (Status valid = checkProperties(*scene.find(id)); !valid) return valid;
+  if (Status saved = saveScene(scene, filled->loaded.extras, filled->file); !saved) return saved;
+  for (const std::string& message : filled->messages) std::printf("%s\n", message.c_str());
+  std::printf("added node %s to %s\n", id.c_str(), filled->file.c_str());
   return {};
+}
+
+/// The ending tells scenes from the files of other programs, in the editor too.
+Status checkSceneName(const std::string& file) {
+  if (file.empty() || lowerCaseExtension(file) == "spindrift") return {};
+  return Error{ErrorKind::Usage, "The scene cannot be made or changed", file,
+               "its name does not end in .spindrift", "Name a scene file: --into NAME.spindrift"};
 }
 
 }  // namespace
 
 Status importFile(const ImportRequest& request, const PluginHost& plugins, const CancelToken& cancel) {
+  if (Status named = checkSceneName(request.into); !named) return named;
   const std::string extension = lowerCaseExtension(request.file);
   const bool terrain = contains(plugins.terrainExtensions(), extension);
   if (!terrain && !contains(plugins.modelExtensions(), extension))

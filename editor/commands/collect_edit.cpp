@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <QCoreApplication>
-#include <QDir>
-#include <QFileInfo>
 
 #include "core/scene/collect_files.h"
 #include "editor/commands/edits.h"
@@ -16,16 +14,14 @@ Result<std::string> collected(const SceneDocument& document, const std::string& 
   if (resolveAssetPath(scene, source, {})) return source;
   const Result<std::string> path = resolveAssetPath(scene, source, document.pathPolicy());
   if (!path) return path.error();
-  const QFileInfo info(document.path());
-  const QString folder = info.absoluteDir().filePath(info.completeBaseName() + QStringLiteral(".assets"));
-  const Result<std::string> copy = copyWithCompanions(*path, folder.toStdString());
+  const Result<std::string> copy = copyBeside(*path, scene);
   if (!copy) return copy.error();
   return document.storedPath(QString::fromStdString(*copy));
 }
 
 }  // namespace
 
-Status collectFiles(SceneDocument& document) {
+Result<int> collectFiles(SceneDocument& document) {
   if (document.path().isEmpty())
     return Error{ErrorKind::Usage,
                  "The files cannot be collected",
@@ -40,13 +36,14 @@ Status collectFiles(SceneDocument& document) {
     if (!stored) return stored.error();
     if (*stored != source) sources.emplace_back(node.id, *stored);
   }
-  if (sources.empty()) return {};
+  if (sources.empty()) return 0;
   document.undoStack()->beginMacro(QCoreApplication::translate("Edits", "Collect files"));
   Status status;
   for (const auto& [node, stored] : sources)
     if (status) status = setValue(document, node, "source", stored);
   document.undoStack()->endMacro();
-  return status;
+  if (!status) return status.error();
+  return static_cast<int>(sources.size());
 }
 
 }  // namespace spin::edit

@@ -3,10 +3,8 @@
 #include "editor/commands/edits.h"
 
 #include <QCoreApplication>
-#include <QFileInfo>
 #include <atomic>
 
-#include "core/nodes/terrain_node.h"
 #include "core/property/text_check.h"
 #include "editor/commands/node_commands.h"
 
@@ -61,36 +59,6 @@ Result<std::string> addNode(SceneDocument& document, const NodeType& type, const
                             const std::string& idWish) {
   const SceneNode node = copyOf(document.scene(), type, name, idWish);
   if (Status status = checkName(QString::fromStdString(node.name)); !status) return status.error();
-  if (Status status = push(document, node); !status) return status.error();
-  return node.id;
-}
-
-Result<std::string> addAssetNode(SceneDocument& document, const NodeType& type, const QString& file,
-                                 const PropertyValues& values) {
-  const QFileInfo info(file);
-  const std::string stored = document.storedPath(info.absoluteFilePath());
-  PropertyValues all = values;
-  all.emplace_back("source", stored);
-  const SceneNode* taken = type.single ? document.scene().firstOf(type) : nullptr;
-  const std::string path = document.path().toStdString();
-  if (!resolveAssetPath(path, stored, document.pathPolicy())) document.allowFolder(info.absolutePath());
-  if (Result<std::string> usable = resolveAssetPath(path, stored, document.pathPolicy()); !usable)
-    return usable.error();
-  if (taken) {
-    const std::string id = taken->id;
-    if (Status status = setValues(document, id, all); !status) return status.error();
-    document.select(id);
-    return id;
-  }
-  const QString base = info.completeBaseName();
-  SceneNode node = copyOf(document.scene(), type, type.single ? QString() : base,
-                          type.single ? std::string() : base.toStdString());
-  for (const auto& [id, value] : all) {
-    const PropertyInfo* property = type.find(id);
-    if (!property) return unknownProperty(type, id, node.id);
-    if (Status status = validate(*property, value); !status) return status.error();
-    setPlainValue(node, *property, value);
-  }
   if (Status status = push(document, node); !status) return status.error();
   return node.id;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/property/scene_node.h"
+#include "core/scene/import_scene.h"
 #include "editor/document/scene_document.h"
 
 /// All changes of a scene. Each checks its input, pushes one undo step and returns an Error where nothing was
@@ -47,10 +48,20 @@ Status revert(SceneDocument& document, const std::string& node, const std::strin
 /// Adds a node with defaults and selects it; the id comes from the wish or the type. Position: behind all.
 Result<std::string> addNode(SceneDocument& document, const NodeType& type, const QString& name,
                             const std::string& idWish = {});
-/// Adds a terrain or model node for a file (or gives the file to the only terrain there may be), stored
-/// relative to the scene; its folder is allowed from then on.
+/// What an import knows besides the file.
+struct AssetDetails {
+  ImportOptions options;
+  std::string credit;             ///< of a terrain, as the file tells
+  std::optional<FirstView> view;  ///< of a terrain
+  std::optional<Vec3d> position;  ///< of a model
+  bool copyOnSave = false;        ///< a file outside the scene's folder is copied at the next save
+};
+/// Adds a terrain or model node for a file, stored relative to the scene; one undo step. The folder of a file
+/// from outside that is not to be copied is allowed from then on. The first terrain of a scene turns the
+/// camera to it and lets it snow where nobody has set that up. A further terrain takes the place of the one
+/// there is, of which only the cover's settings stay.
 Result<std::string> addAssetNode(SceneDocument& document, const NodeType& type, const QString& file,
-                                 const PropertyValues& values = {});
+                                 const AssetDetails& details = {});
 Result<std::string> duplicateNode(SceneDocument& document, const std::string& node);
 Status removeNode(SceneDocument& document, const std::string& node);
 /// Moves the node at a row so that it stands at another row afterwards.
@@ -59,8 +70,9 @@ Status renameNode(SceneDocument& document, const std::string& node, const QStrin
 Status setNodeEnabled(SceneDocument& document, const std::string& node, bool enabled);
 
 /// Copies all files from outside the scene's folder into its NAME.assets/, with the files they refer to, and
-/// makes the nodes use the copies: one undo step. The scene must have been saved once.
-Status collectFiles(SceneDocument& document);
+/// makes the nodes use the copies: one undo step. The scene must have been saved once. Returns the number of
+/// nodes whose file was copied.
+Result<int> collectFiles(SceneDocument& document);
 
 /// Takes over a painted layer; the undo step keeps only the tiles that changed.
 Status paint(SceneDocument& document, const std::string& node, const PaintedLayer& layer, Session session);

@@ -84,6 +84,7 @@ void Autosave::write() {
   RecoveryContent content{m_folder,
                           m_document->path(),
                           m_document->displayName(),
+                          m_document->hashOnDisk(),
                           m_document->scene(),
                           m_document->extras(),
                           m_layersWritten};
@@ -154,7 +155,7 @@ Status Autosave::recover(const Recovery& recovery) {
                  recovery.folder.toStdString(),
                  "another program has it open",
                  {}};
-  m_document->takeOver(std::move(*loaded), recovery.scenePath);
+  m_document->takeOver(std::move(*loaded), recovery.scenePath, recovery.hashOnDisk.toStdString());
   // From here on the folder is this scene's own: it goes when the scene is saved or closed.
   m_folder = recovery.folder;
   m_lock = std::move(lock);

@@ -57,6 +57,7 @@ Status writeRecovery(const RecoveryContent& content) {
   if (Status status = write(folder.filePath(kSceneName), QByteArray::fromStdString(text)); !status)
     return status;
   JsonValue info = JsonValue::object();
+  info.set("hash_on_disk", JsonValue::of(content.hashOnDisk));
   info.set("name", JsonValue::of(content.displayName.toStdString()));
   info.set("reason", JsonValue::of("unsaved changes"));
   info.set("scene", JsonValue::of(content.scenePath.toStdString()));
@@ -74,7 +75,8 @@ Result<Recovery> readRecoveryInfo(const QString& folder) {
   const Result<JsonValue> info = parseJson(file.read(kMaxInfoBytes).toStdString(), name);
   if (!info) return info.error();
   return Recovery{folder, textOf(*info, "scene"), textOf(*info, "name"),
-                  QDateTime::fromString(textOf(*info, "written"), Qt::ISODateWithMs)};
+                  QDateTime::fromString(textOf(*info, "written"), Qt::ISODateWithMs),
+                  textOf(*info, "hash_on_disk")};
 }
 
 Result<LoadedScene> readRecovery(const Recovery& recovery) {

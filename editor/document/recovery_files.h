@@ -16,6 +16,7 @@ struct Recovery {
   QString scenePath;    ///< the scene's own file; empty if it was never saved
   QString displayName;  ///< for the dialog
   QDateTime written;    ///< when the recovery file was last written
+  QString hashOnDisk;   ///< of the scene's own file, SceneDocument::hashOnDisk()
 };
 
 /// What a recovery folder holds, frozen for a thread.
@@ -23,6 +24,7 @@ struct RecoveryContent {
   QString folder;
   QString scenePath;
   QString displayName;
+  std::string hashOnDisk;
   Scene scene;
   SceneFileExtras extras;
   std::map<std::string, PaintedLayer> layersWritten;  ///< as in the folder already

@@ -5,6 +5,8 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include "core/scene/collect_files.h"
+
 namespace spin {
 namespace {
 
@@ -25,13 +27,20 @@ TerrainData terrainFor(const SceneNode& node, const SnapshotPointer& snapshot) {
 
 }  // namespace
 
+std::string contentOf(const QString& path) {
+  const Hash128 hash = hashFile(path.toStdString());
+  return hash.isNull() ? std::string() : hash.hex();
+}
+
 void SceneDocument::SaveJob::run(AssetLibrary& assets) {
   rebaseSources();
+  copyFiles();
   status = saveLayers(assets);
   if (!status) return;
   for (const auto& [node, hash] : assets.fileHashes())
     if (!hash.isNull()) extras.assetHashes[node] = hash;
   status = saveScene(scene, extras, path.toStdString());
+  if (status) hashOnDisk = contentOf(path);
   if (extras.schema < kSceneSchema) extras.schema = kSceneSchema;
   extras.messages.clear();
 }
@@ -47,6 +56,24 @@ void SceneDocument::SaveJob::rebaseSources() {
     const QString absolute = relative ? before.absoluteDir().absoluteFilePath(stored) : stored;
     setPlainValue(*scene.find(listed.id), *source,
                   storedAssetPath(path.toStdString(), absolute.toStdString()));
+  }
+}
+
+void SceneDocument::SaveJob::copyFiles() {
+  const std::string sceneFile = path.toStdString();
+  const QDir before = QFileInfo(oldPath.isEmpty() ? path : oldPath).absoluteDir();
+  for (const SceneNode& listed : original.nodes()) {
+    const QString stored = QString::fromStdString(sourceOf(listed));
+    if (!copied.contains(QDir::cleanPath(before.absoluteFilePath(stored)))) continue;
+    SceneNode& node = *scene.find(listed.id);
+    if (resolveAssetPath(sceneFile, sourceOf(node), {})) continue;
+    const QDir folder = QFileInfo(path).absoluteDir();
+    const QString file = folder.absoluteFilePath(QString::fromStdString(sourceOf(node)));
+    const Result<std::string> copy = copyBeside(QDir::cleanPath(file).toStdString(), sceneFile);
+    if (copy)
+      setPlainValue(node, *node.type->find("source"), storedAssetPath(sceneFile, *copy));
+    else
+      issues.push_back(issueOf(copy.error(), node.id, Severity::Warning));
   }
 }
 

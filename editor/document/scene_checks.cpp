@@ -8,6 +8,7 @@
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
 #include "core/nodes/weather_nodes.h"
+#include "core/scene/asset_library.h"
 
 namespace spin {
 namespace {
@@ -85,6 +86,27 @@ class Checks {
 
 std::vector<DocumentIssue> checkScene(const Scene& scene) {
   return Checks(scene).run();
+}
+
+std::vector<DocumentIssue> filesOutside(const Scene& scene, const std::string& sceneFile,
+                                        const PathPolicy& policy) {
+  std::vector<DocumentIssue> issues;
+  if (sceneFile.empty()) return issues;
+  for (const SceneNode& node : scene.nodes()) {
+    const std::string source = sourceOf(node);
+    // A file that is refused here too is an issue of its own.
+    if (source.empty() || resolveAssetPath(sceneFile, source, {}) ||
+        !resolveAssetPath(sceneFile, source, policy))
+      continue;
+    issues.push_back({Severity::Warning, node.id, "source",
+                      QCoreApplication::translate(
+                          "SceneChecks",
+                          "The file %1 lies outside the scene's folder: the command line refuses it, and "
+                          "it is missing where the scene is moved to. Use File > Collect files beside "
+                          "the scene.")
+                          .arg(QString::fromStdString(source))});
+  }
+  return issues;
 }
 
 }  // namespace spin

@@ -3,12 +3,14 @@
 #include "editor/document/scene_document.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
 #include <QSettings>
 #include <QThreadPool>
 #include <algorithm>
 
 #include "core/nodes/ground_nodes.h"
+#include "core/nodes/terrain_node.h"
 #include "editor/document/save_job.h"
 #include "editor/document/scene_checks.h"
 
@@ -66,15 +68,26 @@ void SceneDocument::newScene() {
 
 Status SceneDocument::open(const QString& path) {
   const QString file = QFileInfo(path).absoluteFilePath();
+  // Before it is read: a change in between is noticed later, not missed.
+  const std::string hash = contentOf(file);
   Result<LoadedScene> loaded = loadScene(file.toStdString());
   if (!loaded) return loaded.error();
   reset(std::move(*loaded), file);
+  m_hashOnDisk = hash;
   addRecentFile(file);
   return {};
 }
 
-void SceneDocument::takeOver(LoadedScene loaded, const QString& path) {
+void SceneDocument::takeOver(LoadedScene loaded, const QString& path, const std::string& hashOnDisk) {
   reset(std::move(loaded), path);
+  m_hashOnDisk = hashOnDisk;
+  // What was to be copied at the first save is known by the program that ended only.
+  for (const SceneNode& node : m_scene.nodes()) {
+    const std::string source = sourceOf(node);
+    const bool imported = node.as<TerrainNode>() || node.as<ModelNode>();
+    if (path.isEmpty() && imported && !source.empty() && !resolveAssetPath({}, source, pathPolicy()))
+      copyOnSave(QString::fromStdString(source));
+  }
   m_recovered = true;
   Q_EMIT modifiedChanged(true);
 }
@@ -88,10 +101,13 @@ void SceneDocument::reset(LoadedScene loaded, const QString& path) {
   m_scene = std::move(loaded.scene);
   m_extras = std::move(loaded.extras);
   m_path = path;
+  m_hashOnDisk.clear();
   m_recovered = false;
   m_loadingLayers = false;
   m_layersOnDisk.clear();
+  m_copyOnSave.clear();
   m_issuesBySource.clear();
+  m_issues.clear();
   m_assets->setExpectedHashes(m_extras.assetHashes);
   m_selected.clear();
   Q_EMIT selectionChanged(m_selected);
@@ -102,7 +118,9 @@ void SceneDocument::reset(LoadedScene loaded, const QString& path) {
   for (const std::string& message : m_extras.messages)
     remarks.push_back({Severity::Information, {}, {}, QString::fromStdString(message)});
   setIssues(QStringLiteral("file"), std::move(remarks));
+  Q_EMIT issuesChanged();
   checkOwnScene();
+  checkFilePlaces();
   loadLayers();
 }
 
@@ -111,10 +129,17 @@ void SceneDocument::notify(const ChangeEvent& event) {
   if (event.kind == ChangeKind::Removed && event.node == m_selected) select({});
   Q_EMIT changed(event);
   if (event.kind != ChangeKind::Painted) checkOwnScene();
+  const bool sameFiles = event.kind == ChangeKind::Painted || event.kind == ChangeKind::Moved ||
+                         (event.kind == ChangeKind::Property && event.property != "source");
+  if (!sameFiles) checkFilePlaces();
 }
 
 void SceneDocument::checkOwnScene() {
   setIssues(QStringLiteral("scene"), checkScene(m_scene));
+}
+
+void SceneDocument::checkFilePlaces() {
+  setIssues(QStringLiteral("places"), filesOutside(m_scene, m_path.toStdString(), pathPolicy()));
 }
 
 void SceneDocument::setIssues(const QString& source, std::vector<DocumentIssue> issues) {
@@ -177,6 +202,7 @@ std::shared_ptr<SceneDocument::SaveJob> SceneDocument::makeSaveJob(const QString
   job->scene = m_scene;
   job->extras = m_extras;
   job->oldPath = m_path;
+  job->copied = m_copyOnSave;
   job->layersOnDisk = m_layersOnDisk;
   job->edits = m_edits;
   job->generation = m_generation;
@@ -196,6 +222,12 @@ void SceneDocument::saveAs(const QString& path) {
   });
 }
 
+bool SceneDocument::isChangedOnDisk() const {
+  if (m_path.isEmpty() || m_hashOnDisk.empty() || m_saveJob) return false;
+  const std::string now = contentOf(m_path);
+  return !now.empty() && now != m_hashOnDisk;
+}
+
 Status SceneDocument::finishSaving() {
   const std::shared_ptr<SaveJob> job = m_saveJob;
   if (!job) return {};
@@ -210,6 +242,7 @@ void SceneDocument::finishSave(const std::shared_ptr<SaveJob>& job) {
   if (job->status && job->generation == m_generation) {
     const bool sameFile = m_path == job->path;
     m_path = job->path;
+    m_hashOnDisk = job->hashOnDisk;
     takeSources(*job);
     m_extras = job->extras;
     for (const SceneNode& node : job->original.nodes()) m_layersOnDisk[node.id] = node.painted;
@@ -219,6 +252,8 @@ void SceneDocument::finishSave(const std::shared_ptr<SaveJob>& job) {
       Q_EMIT modifiedChanged(false);
     }
     if (!sameFile) Q_EMIT pathChanged(m_path);
+    setIssues(QStringLiteral("copies"), job->issues);
+    checkFilePlaces();
     addRecentFile(m_path);
   }
   Q_EMIT saveFinished(job->status.ok(),
@@ -257,8 +292,18 @@ void SceneDocument::allowFolder(const QString& folder) {
   QStringList folders = QSettings().value(kAllowedKey).toStringList();
   const QString path = QFileInfo(folder).absoluteFilePath();
   if (!folders.contains(path)) QSettings().setValue(kAllowedKey, folders << path);
+  permit(path);
+}
+
+void SceneDocument::copyOnSave(const QString& file) {
+  const QString path = QDir::cleanPath(QFileInfo(file).absoluteFilePath());
+  m_copyOnSave.insert(path);
+  permit(QFileInfo(path).absolutePath());
+}
+
+void SceneDocument::permit(const QString& folder) {
   PathPolicy policy = m_assets->policy();
-  policy.allowedFolders.push_back(path.toStdString());
+  policy.allowedFolders.push_back(folder.toStdString());
   m_assets->setPolicy(std::move(policy));
 }
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "core/scene/asset_library.h"
@@ -45,8 +46,9 @@ class SceneDocument : public QObject {
   void newScene();
   /// Reads a scene. Its painted layers follow from a thread (see isLoadingLayers()).
   Status open(const QString& path);
-  /// Takes over a scene that comes from elsewhere (recovery); it counts as modified.
-  void takeOver(LoadedScene loaded, const QString& path);
+  /// Takes over a scene that comes from elsewhere (recovery); it counts as modified. hashOnDisk() goes on
+  /// from where the scene was read or saved last.
+  void takeOver(LoadedScene loaded, const QString& path, const std::string& hashOnDisk);
   /// True while painted layers are being read; painting waits for them.
   bool isLoadingLayers() const { return m_loadingLayers; }
 
@@ -54,12 +56,19 @@ class SceneDocument : public QObject {
   void save() { saveAs(m_path); }
   void saveAs(const QString& path);
   bool isSaving() const { return m_saveJob != nullptr; }
+  /// Content of the file when it was last read or written here; empty if that is not known.
+  const std::string& hashOnDisk() const { return m_hashOnDisk; }
+  /// Another program has written the file meanwhile: saving would overwrite that.
+  bool isChangedOnDisk() const;
   /// Waits for the save in progress, for closing the window and for tests.
   Status finishSaving();
   /// Files opened or saved last, newest first, existing ones only.
   QStringList recentFiles() const;
   /// Lets nodes use files from a folder outside the scene's; kept in the user's settings.
   void allowFolder(const QString& folder);
+  /// Lets nodes use a file from elsewhere for now: a save copies it beside the scene with what it refers to,
+  /// and the nodes then use the copy. For files imported before the scene has a folder.
+  void copyOnSave(const QString& file);
   PathPolicy pathPolicy() const;
   /// The form in which a node stores this file.
   std::string storedPath(const QString& absolutePath) const;
@@ -93,6 +102,8 @@ class SceneDocument : public QObject {
   void reset(LoadedScene loaded, const QString& path);
   void notify(const ChangeEvent& event);
   void checkOwnScene();
+  void checkFilePlaces();
+  void permit(const QString& folder);
   void loadLayers();
   void takeLayers(const Scene& loaded, const std::vector<AssetLibrary::Issue>& found);
   std::shared_ptr<SaveJob> makeSaveJob(const QString& path) const;
@@ -108,9 +119,11 @@ class SceneDocument : public QObject {
   std::unique_ptr<QThreadPool> m_worker;
   CancelToken m_cancelLoading;
   QString m_path;
+  std::string m_hashOnDisk;
   std::string m_selected;
   std::map<QString, std::vector<DocumentIssue>> m_issuesBySource;
   std::vector<DocumentIssue> m_issues;
+  std::set<QString> m_copyOnSave;                      ///< absolute paths
   std::map<std::string, PaintedLayer> m_layersOnDisk;  ///< by node id, as last read or written
   std::shared_ptr<SaveJob> m_saveJob;                  ///< in progress
   quint64 m_generation = 0;  ///< counts scenes: answers of threads for an older one are dropped

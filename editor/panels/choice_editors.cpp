@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "editor/document/scene_document.h"
+#include "editor/panels/field_keys.h"
 #include "editor/panels/number_editors.h"
 
 namespace spin {
@@ -102,6 +103,7 @@ TextEditor::TextEditor(QWidget* parent) : ValueEditor(parent), m_line(new QLineE
     if (m_line->isModified()) Q_EMIT edited(m_line->text().toStdString(), false);
     m_line->setModified(false);
   });
+  connect(new FieldKeys(m_line), &FieldKeys::entered, this, &ValueEditor::entered);
 }
 
 void TextEditor::show(const Value& value) {
@@ -125,6 +127,7 @@ PathEditor::PathEditor(SceneDocument* document, QWidget* parent)
     if (m_line->isModified()) Q_EMIT edited(m_line->text().toStdString(), false);
     m_line->setModified(false);
   });
+  connect(new FieldKeys(m_line), &FieldKeys::entered, this, &ValueEditor::entered);
 }
 
 void PathEditor::show(const Value& value) {

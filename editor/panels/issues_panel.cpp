@@ -3,6 +3,7 @@
 #include "editor/panels/issues_panel.h"
 
 #include <QHeaderView>
+#include <QLabel>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -15,7 +16,8 @@ IssuesPanel::IssuesPanel(SceneDocument* document, QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_model(new IssueModel(document, this)),
-      m_view(new QTreeView(this)) {
+      m_view(new QTreeView(this)),
+      m_empty(new QLabel(tr("No issues"))) {
   setObjectName(QStringLiteral("issues"));
   m_view->setObjectName(QStringLiteral("issuesView"));
   m_view->setModel(m_model);
@@ -25,8 +27,19 @@ IssuesPanel::IssuesPanel(SceneDocument* document, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_view);
+  m_empty->setObjectName(QStringLiteral("noIssues"));
+  m_empty->setEnabled(false);
+  m_empty->setAlignment(Qt::AlignCenter);
+  auto* inside = new QVBoxLayout(m_view->viewport());
+  inside->addWidget(m_empty);
+  connect(m_model, &QAbstractItemModel::modelReset, this, &IssuesPanel::showWhetherEmpty);
+  showWhetherEmpty();
   connect(m_view, &QTreeView::activated, this, &IssuesPanel::jumpTo);
   connect(m_view, &QTreeView::doubleClicked, this, &IssuesPanel::jumpTo);
+}
+
+void IssuesPanel::showWhetherEmpty() {
+  m_empty->setVisible(m_model->rowCount() == 0);
 }
 
 void IssuesPanel::jumpTo(const QModelIndex& index) {

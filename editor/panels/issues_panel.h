@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+class QLabel;
 class QTreeView;
 
 namespace spin {
@@ -21,10 +22,12 @@ class IssuesPanel : public QWidget {
 
  private:
   void jumpTo(const QModelIndex& index);
+  void showWhetherEmpty();
 
   SceneDocument* m_document;
   IssueModel* m_model;
   QTreeView* m_view;
+  QLabel* m_empty;  ///< in place of rows
 };
 
 }  // namespace spin

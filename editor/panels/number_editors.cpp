@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/panels/field_keys.h"
 #include "editor/panels/unit_spin_box.h"
 
 namespace spin {
@@ -40,6 +41,7 @@ NumberEditor::NumberEditor(const PropertyInfo& property, QWidget* parent)
   setFocusProxy(m_spin);
   connect(m_spin, &UnitSpinBox::valueChanged, this, [this] { Q_EMIT edited(valueOf(m_spin->si()), true); });
   connect(m_spin, &UnitSpinBox::editingFinished, this, &ValueEditor::released);
+  connect(m_spin->keys(), &FieldKeys::entered, this, &ValueEditor::entered);
 }
 
 void NumberEditor::show(const Value& value) {
@@ -83,6 +85,7 @@ VectorEditor::VectorEditor(const PropertyInfo& property, QWidget* parent) : Valu
       Q_EMIT edited(Vec3d{m_spins[0]->si(), m_spins[1]->si(), m_spins[2]->si()}, true);
     });
     connect(spin, &UnitSpinBox::editingFinished, this, &ValueEditor::released);
+    connect(spin->keys(), &FieldKeys::entered, this, &ValueEditor::entered);
   }
   setFocusProxy(m_spins[0]);
 }

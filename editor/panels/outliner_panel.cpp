@@ -30,7 +30,7 @@ OutlinerPanel::OutlinerPanel(SceneDocument* document, QWidget* parent)
   m_view->setRootIsDecorated(false);
   m_view->setUniformRowHeights(true);
   m_view->setDragDropMode(QAbstractItemView::InternalMove);
-  m_view->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
+  m_view->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
   m_view->setContextMenuPolicy(Qt::CustomContextMenu);
   m_add->setObjectName(QStringLiteral("addNode"));
   m_add->setPopupMode(QToolButton::InstantPopup);
@@ -46,8 +46,6 @@ OutlinerPanel::OutlinerPanel(SceneDocument* document, QWidget* parent)
   connect(m_add->menu(), &QMenu::aboutToShow, this, [this] { fillAddMenu(m_add->menu()); });
   connect(m_view, &QWidget::customContextMenuRequested, this, &OutlinerPanel::showMenu);
   connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, &OutlinerPanel::followView);
-  connect(m_view, &QTreeView::doubleClicked, this,
-          [this](const QModelIndex& index) { Q_EMIT nodeActivated(m_model->idAt(index)); });
   connect(m_document, &SceneDocument::selectionChanged, this, &OutlinerPanel::followDocument);
   followDocument();
   retranslate();

@@ -25,8 +25,6 @@ class OutlinerPanel : public QWidget {
   void removeSelected();
 
  Q_SIGNALS:
-  /// Double click on a node: the viewport may frame it.
-  void nodeActivated(const std::string& id);
   /// An edit was refused; for the status bar.
   void editRefused(const QString& message);
 

@@ -56,6 +56,7 @@ void PropertyPanel::showNode(const std::string& id) {
     for (const PropertyRow& property : node->type->properties) {
       auto* row = new PropertyRowEditor(m_document, m_time, id, property, page);
       connect(row, &PropertyRowEditor::editRefused, this, &PropertyPanel::editRefused);
+      connect(row, &PropertyRowEditor::entered, this, &PropertyPanel::entered);
       layout->addWidget(row);
       m_rows.push_back(row);
     }

@@ -30,6 +30,8 @@ class PropertyPanel : public QWidget {
  Q_SIGNALS:
   /// An edit was refused; for the status bar.
   void editRefused(const QString& message);
+  /// Return in a field: the keys may go back to the view.
+  void entered();
 
  protected:
   void changeEvent(QEvent* event) override;

@@ -55,6 +55,7 @@ PropertyRowEditor::PropertyRowEditor(SceneDocument* document, TimeContext* time,
   layout->addWidget(m_revert);
   connect(m_editor, &ValueEditor::edited, this, &PropertyRowEditor::edit);
   connect(m_editor, &ValueEditor::released, this, &PropertyRowEditor::endDrag);
+  connect(m_editor, &ValueEditor::entered, this, &PropertyRowEditor::entered);
   connect(&m_dragEnd, &QTimer::timeout, this, &PropertyRowEditor::endDrag);
   connect(m_key, &QToolButton::clicked, this, &PropertyRowEditor::toggleKey);
   connect(m_key, &QWidget::customContextMenuRequested, this, &PropertyRowEditor::showKeyMenu);

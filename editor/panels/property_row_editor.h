@@ -32,6 +32,8 @@ class PropertyRowEditor : public QWidget {
 
  Q_SIGNALS:
   void editRefused(const QString& message);
+  /// Return in a field: the user is done with it.
+  void entered();
 
  private:
   void edit(const Value& value, bool dragging);

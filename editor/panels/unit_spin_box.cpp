@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/panels/field_keys.h"
+
 namespace spin {
 namespace {
 
@@ -20,7 +22,7 @@ double tidy(double step) {
 }  // namespace
 
 UnitSpinBox::UnitSpinBox(const PropertyInfo& property, QWidget* parent)
-    : QDoubleSpinBox(parent), m_property(property) {
+    : QDoubleSpinBox(parent), m_property(property), m_keys(new FieldKeys(this)) {
   const UnitInfo unit = unitInfo(property.unit);
   setDecimals(property.kind == PropertyKind::Int ? 0 : kDecimals);
   if (property.min < property.max)

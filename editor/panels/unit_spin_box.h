@@ -8,6 +8,8 @@
 
 namespace spin {
 
+class FieldKeys;
+
 /// Number of a property in display units with the unit behind it. Shows no needless zeros and takes a decimal
 /// point as well where the locale has a comma.
 class UnitSpinBox : public QDoubleSpinBox {
@@ -20,6 +22,9 @@ class UnitSpinBox : public QDoubleSpinBox {
   /// The shown number in SI, within the property's range.
   double si() const;
 
+  /// Undo and Return in this field.
+  const FieldKeys* keys() const { return m_keys; }
+
   QString textFromValue(double value) const override;
   QValidator::State validate(QString& input, int& position) const override;
 
@@ -28,6 +33,7 @@ class UnitSpinBox : public QDoubleSpinBox {
 
  private:
   const PropertyInfo& m_property;
+  FieldKeys* m_keys;
   double m_si = 0.0;     ///< as last shown: what was not edited keeps all its digits
   double m_shown = 0.0;  ///< the spin box's number for m_si
 };

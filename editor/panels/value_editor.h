@@ -26,6 +26,8 @@ class ValueEditor : public QWidget {
   void edited(const spin::Value& value, bool dragging);
   /// The user let go.
   void released();
+  /// Return in a field: the user is done with it.
+  void entered();
 };
 
 /// The fitting editor for a property: check box, number with unit (and slider where the range is small

@@ -174,7 +174,7 @@ FrameBlock Renderer::State::makeBlock(const RenderCamera& camera, double filmTim
   b.sky = withW(light.sky, snow ? cover.snowShare() : 0.0);
   b.bounce = withW(light.bounce, filmTime);
   b.zenith = withW(light.zenith, 0.0);
-  b.horizon = withW(light.horizon, light.hazeExtinction);
+  b.horizon = withW(light.horizon, light.hazeExtinction * options.hazeScale);
   b.viewport = {static_cast<float>(options.width), static_cast<float>(options.height),
                 static_cast<float>(0.5 * options.height / tangent), static_cast<float>(options.quality)};
   terrain.fill(b);

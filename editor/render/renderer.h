@@ -37,6 +37,9 @@ struct RenderOptions {
   /// < 1 draws coarser terrain, fewer flakes and, in draw(), fewer pixels that are enlarged (while the user
   /// moves the view).
   double quality = 1.0;
+  /// Share of the weather's haze. Pictures of the scene's camera show all of it; a working view from farther
+  /// away less.
+  double hazeScale = 1.0;
   int samples = 1;  ///< a pixel, in draw(); clamped to what the driver has
 };
 

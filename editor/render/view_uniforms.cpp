@@ -85,6 +85,12 @@ double snowfallExtinction(double precipitationRate, double fallSpeed) {
   return gramsPerCubicMetre > 0.0 ? 1e-3 * 10.36 * std::pow(gramsPerCubicMetre, 0.7776) : 0.0;
 }
 
+double readableHaze(double extinction, double distance) {
+  constexpr double kMaxDepth = 0.7;
+  const double depth = extinction * distance;
+  return depth > kMaxDepth ? kMaxDepth / depth : 1.0;
+}
+
 LightModel lightModel(const SceneSnapshot& scene, double filmTime, double snowShare) {
   const auto weather = scene.settings<WeatherNode>(filmTime);
   const auto picture = scene.settings<RenderNode>(filmTime);

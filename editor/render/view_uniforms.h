@@ -34,6 +34,10 @@ struct LightModel {
 /// `snowShare`: share of the ground that is white, rules the light from below.
 LightModel lightModel(const SceneSnapshot& scene, double filmTime, double snowShare);
 
+/// Share of an extinction, 1/m, through which one still sees something at a distance, m: at most 1, and the
+/// optical depth up to there at most 0.7, so that half of the contrast remains.
+double readableHaze(double extinction, double distance);
+
 /// Extinction of falling snow in 1/m for a precipitation rate in kg/(m2 s) of water and a mean fall speed in
 /// m/s: 10.36 C^0.7776 1/km, C the mass of snow in g/m3. Source: Stoelinga and Warner 1999, from measurements
 /// of Stallabrass 1985.

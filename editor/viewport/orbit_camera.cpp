@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kDegreesPerPixel = 0.35;
 constexpr double kZoomPerStep = 0.85;
+// The ground may rise faster than the eye: the way up is searched in steps, its end by halving.
+constexpr double kTurnStepDegrees = 1.0;
+constexpr int kTurnHalvings = 10;
 
 Vec3d directionOf(double yawDegrees, double pitchDegrees) {
   const double yaw = degreesToRadians(yawDegrees);
@@ -61,7 +64,33 @@ void OrbitCamera::frame(const Box3d& box) {
   if (box.empty()) return;
   const double radius = std::max(0.5 * length(box.size()), 0.5);
   m_pivot = box.centre();
+  m_pitch = std::max(m_pitch, kMinFramePitchDegrees);
   m_distance = std::clamp(1.1 * radius / std::sin(degreesToRadians(m_fov) * 0.5), kMinDistance, kMaxDistance);
+}
+
+double OrbitCamera::missing(const EyeFloor& floor) const {
+  const Vec3d eye = camera().position;
+  return floor(eye.x, eye.y) - eye.z;
+}
+
+void OrbitCamera::turnAbove(const EyeFloor& floor) {
+  double below = m_pitch;
+  while (m_pitch < kMaxPitchDegrees && missing(floor) > 0.0) {
+    below = m_pitch;
+    m_pitch = std::min(m_pitch + kTurnStepDegrees, kMaxPitchDegrees);
+  }
+  double above = m_pitch;
+  for (int k = 0; k < kTurnHalvings && below < above; ++k) {
+    m_pitch = 0.5 * (below + above);
+    (missing(floor) > 0.0 ? below : above) = m_pitch;
+  }
+  m_pitch = above;
+  liftAbove(floor);
+}
+
+void OrbitCamera::liftAbove(const EyeFloor& floor) {
+  const double rise = missing(floor);
+  if (rise > 0.0) m_pivot.z += rise;
 }
 
 OrbitCamera OrbitCamera::between(const OrbitCamera& a, const OrbitCamera& b, double t) {

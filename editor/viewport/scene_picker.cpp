@@ -3,6 +3,7 @@
 #include "editor/viewport/scene_picker.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/fields/terrain_surface.h"
 #include "core/nodes/camera_node.h"
@@ -10,6 +11,9 @@
 
 namespace spin {
 namespace {
+
+/// Between the ground and the eye: the near plane, and room for some snow.
+constexpr double kEyeClearance = 0.5;  // m
 
 /// The corners of the model's box, placed.
 Box3d placedBounds(const ModelData& model, const Transform& placement) {
@@ -107,6 +111,17 @@ bool showsNothing(const SceneSnapshot& scene) {
   return !land && std::none_of(scene.models.begin(), scene.models.end(), [](const auto& model) {
     return model.second && !model.second->meshes.empty();
   });
+}
+
+EyeFloor eyeFloor(const SceneSnapshot& scene) {
+  if (!scene.terrain || scene.terrain->heights.empty() || !scene.first<TerrainNode>()) return {};
+  return [terrain = scene.terrain](double x, double y) {
+    const Raster<float>& h = terrain->heights;
+    const double inX = std::clamp(x, h.x(0), h.x(h.width - 1)),
+                 inY = std::clamp(y, h.y(0), h.y(h.height - 1));
+    const std::optional<double> ground = TerrainSurface(h).heightAt(inX, inY);
+    return ground ? *ground + kEyeClearance : std::numeric_limits<double>::lowest();
+  };
 }
 
 Box3d sceneBounds(const SceneSnapshot& scene, double filmTime) {

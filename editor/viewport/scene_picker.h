@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/sim/snapshot.h"
-#include "editor/viewport/view_frame.h"
+#include "editor/viewport/orbit_camera.h"
 
 namespace spin {
 
@@ -24,6 +24,9 @@ std::optional<Vec3d> pickTerrain(const SceneSnapshot& scene, const ViewRay& ray)
 Box3d nodeBounds(const SceneSnapshot& scene, const std::string& id, double filmTime);
 /// Neither terrain nor model is there; cheap.
 bool showsNothing(const SceneSnapshot& scene);
+/// Keeps the eye off the terrain; beyond the rim its height goes on, holes and scenes without terrain have no
+/// floor. Null without terrain.
+EyeFloor eyeFloor(const SceneSnapshot& scene);
 /// Bounding box of all that stands in the scene.
 Box3d sceneBounds(const SceneSnapshot& scene, double filmTime);
 

@@ -4,19 +4,23 @@
 
 #include <QMouseEvent>
 #include <optional>
+#include <utility>
 
 #include "editor/viewport/orbit_camera.h"
 
 namespace spin {
 
 /// Turns the pointer's moves into camera moves: middle button or Alt + left orbits, with Shift it pans, with
-/// Ctrl it zooms; the wheel zooms to the pointer. Also flies to places.
+/// Ctrl it zooms; the wheel zooms to the pointer. Also flies to places. None of it takes the eye below the
+/// floor.
 class ViewNavigator {
  public:
   static constexpr double kFlightSeconds = 0.35;
 
   const OrbitCamera& camera() const { return m_camera; }
   void setCamera(const OrbitCamera& camera);
+  /// Null = there is none.
+  void setFloor(EyeFloor floor) { m_floor = std::move(floor); }
 
   /// True if the press begins a camera move.
   bool press(const QMouseEvent& event);
@@ -40,6 +44,7 @@ class ViewNavigator {
   };
 
   OrbitCamera m_camera;
+  EyeFloor m_floor;
   Drag m_drag = Drag::None;
   QPointF m_last;
   std::optional<Flight> m_flight;

@@ -4,7 +4,10 @@
 
 #include <QPainter>
 #include <QVBoxLayout>
+#include <algorithm>
 
+#include "core/fields/terrain_surface.h"
+#include "editor/render/view_uniforms.h"
 #include "editor/viewport/overlay_painter.h"
 #include "editor/viewport/picture_view.h"
 #include "editor/viewport/scene_picker.h"
@@ -35,6 +38,7 @@ Viewport::~Viewport() = default;
 void Viewport::setScene(SnapshotPointer scene) {
   m_scene = std::move(scene);
   m_surface->setScene(m_scene);
+  m_navigator.setFloor(m_scene ? eyeFloor(*m_scene) : EyeFloor());
   refresh();
 }
 
@@ -119,6 +123,20 @@ void Viewport::setCamera(const RenderCamera& camera) {
   refresh();
 }
 
+double Viewport::hazeScale() const {
+  if (!m_scene || m_lookThrough) return 1.0;
+  // What one looks at and the middle of the terrain stay in sight.
+  const Vec3d eye = camera().position;
+  double distance = m_navigator.camera().distance();
+  if (m_scene->terrain && !m_scene->terrain->heights.empty()) {
+    const Raster<float>& h = m_scene->terrain->heights;
+    const double x = 0.5 * (h.x(0) + h.x(h.width - 1)), y = 0.5 * (h.y(0) + h.y(h.height - 1));
+    const double z = TerrainSurface(h).heightAt(x, y).value_or(m_navigator.camera().pivot().z);
+    distance = std::max(distance, length(Vec3d{x, y, z} - eye));
+  }
+  return readableHaze(lightModel(*m_scene, m_filmTime, 0.0).hazeExtinction, distance);
+}
+
 void Viewport::frameSelection() {
   if (!m_scene) return;
   const Box3d box = nodeBounds(*m_scene, m_selected, m_filmTime);
@@ -164,6 +182,7 @@ void Viewport::cameraMoved() {
 }
 
 void Viewport::refresh() {
+  m_options.hazeScale = hazeScale();
   m_surface->setView(camera(), m_filmTime, m_options);
 }
 

@@ -45,6 +45,8 @@ class Viewport : public QWidget {
   /// The camera of the view, by which the scene is drawn now.
   RenderCamera camera() const;
   void setCamera(const RenderCamera& camera);
+  /// Share of the weather's haze that is shown: 1 through the scene's camera, less from far away.
+  double hazeScale() const;
   /// Flies to the selected node, or to the whole scene if nothing is selected that has a place.
   void frameSelection();
   void frameAll();

@@ -196,6 +196,31 @@ TEST_F(CliProgram, ImportFromElsewhereAsksForACopy) {
   EXPECT_EQ(run({"validate", made}).code, 0);
 }
 
+TEST_F(CliProgram, ARefusedImportLeavesNothingBehind) {
+  const test::Folder other;
+  const std::string made = other / "new.spindrift";
+  const auto outside = runProgram(folder, {"import", folder / "hill.asc", "--into", made});
+  EXPECT_EQ(outside.code, 3);
+  EXPECT_EQ(outside.out.find("made "), std::string::npos) << outside.out;
+  EXPECT_TRUE(filesBelow(other.path()).empty());
+  EXPECT_NE(run({"import", folder / "hill.asc", "--into", made, "--copy"}).out.find("made "),
+            std::string::npos);
+  const auto before = filesBelow(other.path());
+  std::filesystem::copy_file(folder / "hill.asc", folder / "second.asc");
+  const auto second = runProgram(folder, {"import", folder / "second.asc", "--into", made, "--copy"});
+  EXPECT_EQ(second.code, 3);
+  EXPECT_EQ(filesBelow(other.path()), before);
+}
+
+TEST_F(CliProgram, AScenesNameEndsInSpindrift) {
+  for (const char* name : {"scene.json", "scene"}) {
+    const auto refused = runProgram(folder, {"import", folder / "hill.asc", "--into", folder / name});
+    EXPECT_EQ(refused.code, 2) << refused.error;
+    EXPECT_NE(refused.error.find(".spindrift"), std::string::npos) << refused.error;
+    EXPECT_FALSE(std::filesystem::exists(folder / name));
+  }
+}
+
 TEST_F(CliProgram, AReadOnlyPlaceMovesTheCacheBelowTheOutput) {
   // Where a file stands in the way of the folder even root cannot make it.
   test::writeFile(folder / "tiny.cache", "in the way");

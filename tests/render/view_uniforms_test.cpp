@@ -99,6 +99,12 @@ TEST(Light, HazeGrowsWithSnowfallAndItsSetting) {
   EXPECT_NEAR(extinction(1e-3, 0.25) - clear, 0.25 * 10.36e-3, 1e-9);
 }
 
+TEST(Light, FarViewsStayReadable) {
+  EXPECT_EQ(readableHaze(1e-3, 500.0), 1.0);
+  EXPECT_EQ(readableHaze(0.0, 1e9), 1.0);
+  EXPECT_NEAR(readableHaze(1e-3, 7000.0) * 1e-3 * 7000.0, 0.7, 1e-12);
+}
+
 TEST(TerrainLevel, KeepsQuadsBelowTheAskedSize) {
   EXPECT_EQ(terrainLevel(0.0, 5.0, 900.0, 12.0), 0);
   for (const double distance : {100.0, 500.0, 1000.0, 2000.0, 4000.0, 9000.0}) {

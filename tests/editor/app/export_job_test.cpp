@@ -4,6 +4,7 @@
 
 #include <QElapsedTimer>
 #include <QFile>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -131,6 +132,59 @@ class ExportJobTest : public QObject {
     QTRY_COMPARE(finished.count(), 1);
     QVERIFY(timer.elapsed() < 1000);
     QVERIFY(finished[0][1].toBool());
+  }
+
+  /// A running export is given up only after a question, and how it ended is told.
+  void closingAsksWhileItRuns() {
+    const QTemporaryDir folder;
+    script(folder, "trap 'exit 5' TERM\necho '{\"fraction\":0}'\nwhile :; do sleep 0.02; done\n");
+    ExportDialog::Defaults defaults;
+    defaults.scene = folder.filePath(QStringLiteral("a.spindrift"));
+    ExportDialog dialog({{QStringLiteral("png8"), QStringLiteral("PNG"), true}}, defaults);
+    int asked = 0;
+    bool stop = false;
+    dialog.askStop = [&] {
+      ++asked;
+      return stop;
+    };
+    QSignalSpy ended(&dialog, &ExportDialog::ended);
+    QSignalSpy progressed(&dialog.job(), &ExportJob::progressed);
+    dialog.show();
+    dialog.findChild<QPushButton*>(QStringLiteral("exportStart"))->click();
+    QTRY_VERIFY(progressed.count() > 0);
+    QVERIFY(!dialog.close());
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    QCOMPARE(asked, 2);
+    QVERIFY(dialog.isVisible());
+    QVERIFY(dialog.job().running());
+    QCOMPARE(ended.count(), 0);
+    stop = true;
+    QVERIFY(dialog.close());
+    QVERIFY(ended.count() > 0);
+    QTRY_VERIFY(!dialog.job().running());
+    dialog.show();
+    QVERIFY(dialog.close());
+    QCOMPARE(asked, 3);
+  }
+
+  void theEndIsTold_data() {
+    QTest::addColumn<QByteArray>("body");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("written") << QByteArray("exit 0\n") << QStringLiteral("Exported to ");
+    QTest::newRow("failed") << QByteArray("exit 4\n") << QStringLiteral("The export failed.");
+  }
+  void theEndIsTold() {
+    QFETCH(QByteArray, body);
+    QFETCH(QString, text);
+    const QTemporaryDir folder;
+    script(folder, body.constData());
+    ExportDialog::Defaults defaults;
+    defaults.scene = folder.filePath(QStringLiteral("a.spindrift"));
+    ExportDialog dialog({{QStringLiteral("png8"), QStringLiteral("PNG"), true}}, defaults);
+    QSignalSpy ended(&dialog, &ExportDialog::ended);
+    dialog.findChild<QPushButton*>(QStringLiteral("exportStart"))->click();
+    QTRY_COMPARE(ended.count(), 1);
+    QVERIFY2(ended[0][0].toString().startsWith(text), qPrintable(ended[0][0].toString()));
   }
 
   void durationsRead() {

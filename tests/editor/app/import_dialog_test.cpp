@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "editor/app/import_dialog.h"
 
+#include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
@@ -39,13 +41,27 @@ class ImportDialogTest : public QObject {
     QVERIFY(dialog.findChild<QLabel*>(QStringLiteral("importWarnings"))
                 ->text()
                 .contains(QStringLiteral("a warning")));
-    QVERIFY(dialog.values().empty());
+    QCOMPARE(dialog.options().epsg, 0);
+    QVERIFY(dialog.findings().view.has_value());
     dialog.findChild<QSpinBox*>(QStringLiteral("epsg"))->setValue(31287);
     dialog.findChild<QPushButton*>(QStringLiteral("importAgain"))->click();
     QTRY_VERIFY(dialog.ready());
     QCOMPARE(table->item(1, 1)->text(), QStringLiteral("31287"));
-    QCOMPARE(dialog.values().size(), std::size_t(1));
-    QCOMPARE(dialog.values()[0].first, std::string("epsg"));
+    QCOMPARE(dialog.options().epsg, 31287);
+    dialog.findChild<QDoubleSpinBox*>(QStringLiteral("cellSize"))->setValue(10.0);
+    QVERIFY2(!dialog.findings().view.has_value(), "the view was that of other cells");
+  }
+
+  void copyIsOfferedUnlessTheFileLiesBesideTheScene() {
+    ImportDialog dialog(std::make_shared<test::FakeReader>(), QStringLiteral("hut.glb"), ImportKind::Model);
+    auto* copy = dialog.findChild<QCheckBox*>(QStringLiteral("copyBeside"));
+    QVERIFY(dialog.copyWanted());
+    copy->setChecked(false);
+    QVERIFY(!dialog.copyWanted());
+    copy->setChecked(true);
+    dialog.hideCopy();
+    QVERIFY(copy->isHidden());
+    QVERIFY(!dialog.copyWanted());
   }
 
   void brokenFilesCannotBeAccepted() {
@@ -60,9 +76,6 @@ class ImportDialogTest : public QObject {
     ImportDialog dialog(std::make_shared<test::FakeReader>(), QStringLiteral("hut.glb"), ImportKind::Model);
     QTRY_VERIFY(dialog.ready());
     dialog.findChild<QComboBox*>(QStringLiteral("upAxis"))->setCurrentIndex(2);
-    QCOMPARE(dialog.values().size(), std::size_t(1));
-    QCOMPARE(dialog.values()[0].first, std::string("up_axis"));
-    QVERIFY(dialog.values()[0].second == Value(std::int64_t{2}));
     QCOMPARE(dialog.options().upAxis, 2);
   }
 };

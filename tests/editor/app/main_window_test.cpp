@@ -3,17 +3,21 @@
 #include "editor/app/main_window.h"
 
 #include <QAction>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+#include <utility>
 
 #include "editor/app/file_flow.h"
 #include "editor/app/main_actions.h"
 #include "editor/app/scene_tools.h"
+#include "editor/document/autosave.h"
 #include "editor/timeline/timeline_panel.h"
+#include "editor/viewport/picture_view.h"
 #include "tests/editor/support/strict.h"
 #include "tests/editor/support/test_scene.h"
 
@@ -54,10 +58,29 @@ struct Fixture {
 
 class MainWindowTest : public QObject {
   Q_OBJECT
+ private:
+  QTemporaryDir m_folder;
+  QString saveEmptyScene() const {
+    const QString file = m_folder.filePath(QStringLiteral("argument.spindrift"));
+    SceneDocument document(std::make_shared<test::FakeReader>());
+    document.saveAs(file);
+    return document.finishSaving().ok() ? file : QString();
+  }
+  /// As after a crash.
+  static void leaveUnsavedWork() {
+    SceneDocument document(std::make_shared<test::FakeReader>());
+    Autosave autosave(&document, {}, 0);
+    QVERIFY(edit::setValue(document, "weather", "wind_speed_m_s", 17.0).ok());
+    QVERIFY(autosave.flush().ok());
+  }
 
  private Q_SLOTS:
   void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
-  void init() { test::failOnWarnings(); }
+  void init() {
+    test::failOnWarnings();
+    // What earlier runs left must not be offered.
+    QDir(Autosave::defaultStateDirectory()).removeRecursively();
+  }
 
   void opensEmptyAndUnmodified() {
     Fixture f;
@@ -137,6 +160,120 @@ class MainWindowTest : public QObject {
     f.action("fileNew")->trigger();
     QVERIFY(QFileInfo::exists(f.path));
     QVERIFY(!f.window.document().isModified());
+  }
+
+  /// What another program saved meanwhile is not overwritten without a question.
+  void asksBeforeOverwritingOthersChanges() {
+    Fixture f;
+    f.path = f.folder.filePath(QStringLiteral("shared.spindrift"));
+    FileFlow::Overwrite overwrite = FileFlow::Overwrite::Cancel;
+    int conflicts = 0;
+    f.window.files().askOverwrite = [&] {
+      ++conflicts;
+      return overwrite;
+    };
+    SceneDocument& document = f.window.document();
+    const auto change = [&](double wind) {
+      return edit::setValue(document, "weather", "wind_speed_m_s", wind).ok();
+    };
+    QVERIFY(change(3.0));
+    QVERIFY(f.window.files().saveNow());
+    QVERIFY(change(4.0));
+    QVERIFY(f.window.files().saveNow());
+    QCOMPARE(conflicts, 0);
+    SceneDocument other(std::make_shared<test::FakeReader>());
+    QVERIFY(other.open(f.path).ok());
+    QVERIFY(edit::setValue(other, "weather", "wind_speed_m_s", 9.0).ok());
+    other.save();
+    QVERIFY(other.finishSaving().ok());
+    QVERIFY(change(5.0));
+    QVERIFY(!f.window.files().saveNow());
+    QCOMPARE(conflicts, 1);
+    QVERIFY(document.isModified());
+    QVERIFY(!other.isChangedOnDisk());
+    overwrite = FileFlow::Overwrite::SaveAs;
+    const QString shared = std::exchange(f.path, f.folder.filePath(QStringLiteral("mine.spindrift")));
+    QVERIFY(f.window.files().saveNow());
+    QCOMPARE(document.path(), f.path);
+    QVERIFY(!other.isChangedOnDisk());
+    QVERIFY(f.window.files().openPath(shared));
+    QVERIFY(edit::setValue(other, "weather", "wind_speed_m_s", 10.0).ok());
+    other.save();
+    QVERIFY(other.finishSaving().ok());
+    QVERIFY(change(6.0));
+    overwrite = FileFlow::Overwrite::Overwrite;
+    QVERIFY(f.window.files().saveNow());
+    QCOMPARE(conflicts, 3);
+    QVERIFY(other.isChangedOnDisk());
+  }
+
+  /// After a recovery the files of the command line stay closed: opening them would offer to discard it.
+  void recoveredWorkIsKeptFromTheArguments() {
+    const QString file = saveEmptyScene();
+    leaveUnsavedWork();
+    Fixture f;
+    int offers = 0;
+    f.window.askRecovery = [&](const Recovery&) {
+      ++offers;
+      return MainWindow::RecoveryAnswer::Recover;
+    };
+    f.window.start({file});
+    QCOMPARE(offers, 1);
+    QCOMPARE(f.asked, 0);
+    QVERIFY(f.window.document().path().isEmpty());
+    QVERIFY(f.window.document().isModified());
+    QCOMPARE(f.window.document().node("weather")->as<WeatherNode>()->windSpeed, 17.0);
+    f.window.files().newScene();
+  }
+
+  void declinedRecoveriesOpenTheArguments() {
+    const QString file = saveEmptyScene();
+    leaveUnsavedWork();
+    Fixture f;
+    MainWindow::RecoveryAnswer answer = MainWindow::RecoveryAnswer::Later;
+    int offers = 0;
+    f.window.askRecovery = [&](const Recovery&) {
+      ++offers;
+      return answer;
+    };
+    f.window.start({file});
+    QCOMPARE(f.window.document().path(), file);
+    answer = MainWindow::RecoveryAnswer::Discard;
+    f.window.start({file});
+    f.window.start({file});
+    QCOMPARE(offers, 2);
+    QCOMPARE(f.errors, QStringList());
+  }
+
+  /// After Return in a field the keys of the window work again.
+  void returnGivesTheKeysBackToTheView() {
+    Fixture f;
+    f.window.show();
+    f.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&f.window));
+    f.window.document().select("weather");
+    auto* row = f.window.findChild<QWidget*>(QStringLiteral("wind_speed_m_s"));
+    QVERIFY(row);
+    auto* field = row->findChild<QWidget*>(QStringLiteral("number"));
+    QVERIFY(field);
+    const auto wind = [&] { return f.window.document().node("weather")->as<WeatherNode>()->windSpeed; };
+    field->setFocus();
+    QVERIFY(field->hasFocus());
+    QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(field, QStringLiteral("7"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(wind(), 7.0);
+    QTRY_VERIFY(f.window.viewport().surface()->hasFocus());
+    QTest::keyClick(f.window.viewport().surface(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(wind(), 2.0);
+    QTest::keyClick(f.window.viewport().surface(), Qt::Key_C);
+    QVERIFY(f.window.viewport().lookThrough());
+    // Without typing of its own a field leaves undo and redo to the scene.
+    field->setFocus();
+    QTest::keyClick(field, Qt::Key_Y, Qt::ControlModifier);
+    QCOMPARE(wind(), 7.0);
+    QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(wind(), 2.0);
   }
 
   void brokenScenesAreAnError() {

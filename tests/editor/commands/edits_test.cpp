@@ -5,8 +5,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "core/nodes/camera_node.h"
 #include "core/nodes/ground_nodes.h"
 #include "core/nodes/node_registry.h"
+#include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
 #include "core/nodes/weather_nodes.h"
 #include "tests/support/fake_asset_reader.h"
@@ -53,6 +55,9 @@ class EditsTest : public QObject {
   void strokesKeepOnlyTheirTiles();
   void aStrokeOnNothingIsUndoneToNothing();
   void badStrokesAreRefused();
+  void theFirstTerrainSetsTheSceneUp();
+  void whatIsSetUpStays();
+  void anotherTerrainLeavesNothingOfTheOldOne();
 };
 
 void EditsTest::everyPropertyUndoesAndRedoes_data() {
@@ -301,6 +306,71 @@ void EditsTest::badStrokesAreRefused() {
   layer.set(1, 1, 2);
   QVERIFY(edit::paint(document, node, layer, 0).ok());
   QVERIFY(!edit::paint(document, node, TiledRaster<std::uint8_t>(11, 10, 1), 0).ok());
+}
+
+/// As the command line's import does: camera, snowfall and time scale, in one step with the terrain.
+void EditsTest::theFirstTerrainSetsTheSceneUp() {
+  SceneDocument document(m_reader);
+  const std::string before = textOf(document);
+  edit::AssetDetails details;
+  details.view = FirstView{{5, -20, 30}, {5, 6, 7}};
+  details.credit = "Measured by nobody";
+  const auto added = edit::addAssetNode(document, kTerrainType, QStringLiteral("/tmp/Valley 1.asc"), details);
+  QVERIFY(added.ok());
+  QCOMPARE(*added, std::string("terrain"));
+  QCOMPARE(document.selected(), *added);
+  QCOMPARE(document.node(*added)->name, std::string("Valley 1"));
+  QCOMPARE(document.node(*added)->as<TerrainNode>()->credit, std::string("Measured by nobody"));
+  QVERIFY(document.scene().firstOf(kSnowfallType));
+  QCOMPARE(document.node("simulation")->as<SimulationNode>()->timeScale, 2880.0);
+  QVERIFY(document.node("camera")->as<CameraNode>()->position == (Vec3d{5, -20, 30}));
+  QVERIFY(document.node("camera")->as<CameraNode>()->target == (Vec3d{5, 6, 7}));
+  QCOMPARE(document.undoStack()->count(), 1);
+  document.undoStack()->undo();
+  QCOMPARE(textOf(document), before);
+}
+
+void EditsTest::whatIsSetUpStays() {
+  SceneDocument document(m_reader);
+  QVERIFY(edit::setValue(document, "simulation", "time_scale", 60.0).ok());
+  QVERIFY(edit::setValue(document, "camera", "position_m", Vec3d{1, 2, 3}).ok());
+  edit::AssetDetails details;
+  details.view = FirstView{{5, -20, 30}, {5, 6, 7}};
+  QVERIFY(edit::addAssetNode(document, kTerrainType, QStringLiteral("/tmp/valley.asc"), details).ok());
+  QVERIFY(!document.scene().firstOf(kSnowfallType));
+  QCOMPARE(document.node("simulation")->as<SimulationNode>()->timeScale, 60.0);
+  QVERIFY(document.node("camera")->as<CameraNode>()->position == (Vec3d{1, 2, 3}));
+}
+
+void EditsTest::anotherTerrainLeavesNothingOfTheOldOne() {
+  SceneDocument document(m_reader);
+  edit::AssetDetails first;
+  first.options.epsg = 31287;
+  first.options.cellSize = 5.0;
+  first.options.noDataValue = -1.0;
+  first.credit = "Old survey";
+  const auto id = edit::addAssetNode(document, kTerrainType, QStringLiteral("/tmp/old.asc"), first);
+  QVERIFY(id.ok());
+  QVERIFY(edit::setValues(document, *id, {{"vertical_scale", 2.0}, {"cover_detail_cell_m", 1.0}}).ok());
+  const std::string before = textOf(document);
+  const int steps = document.undoStack()->count();
+  edit::AssetDetails second;
+  second.credit = "New survey";
+  QCOMPARE(*edit::addAssetNode(document, kTerrainType, QStringLiteral("/tmp/new.asc"), second), *id);
+  const SceneNode& node = *document.node(*id);
+  const auto& terrain = *node.as<TerrainNode>();
+  QCOMPARE(node.name, std::string("new"));
+  QCOMPARE(terrain.source, std::string("/tmp/new.asc"));
+  QCOMPARE(terrain.credit, std::string("New survey"));
+  QCOMPARE(terrain.epsg, 0);
+  QCOMPARE(terrain.cellSize, 0.0);
+  QVERIFY(!terrain.hasNoData);
+  QCOMPARE(terrain.noData, 0.0);
+  QCOMPARE(terrain.verticalScale, 1.0);
+  QCOMPARE(terrain.coverDetailCell, 1.0);
+  QCOMPARE(document.undoStack()->count(), steps + 1);
+  document.undoStack()->undo();
+  QCOMPARE(textOf(document), before);
 }
 
 QTEST_MAIN(EditsTest)

@@ -40,6 +40,7 @@ class AutosaveTest : public QObject {
   void changesAreWrittenSoon();
   void unsavedWorkIsRecovered();
   void paintedLayersAreRecovered();
+  void aFileSavedAfterTheCrashIsSeen();
   void aLiveSceneIsNotOffered();
   void savingRemovesTheCopy();
   void undoneWorkNeedsNoCopy();
@@ -90,6 +91,30 @@ void AutosaveTest::paintedLayersAreRecovered() {
   Autosave autosave(&document, state());
   QVERIFY(autosave.recover(autosave.recoverable().at(0)).ok());
   QVERIFY(document.node("ground_type")->painted == PaintedLayer(layer));
+}
+
+/// The recovered scene still knows what its file was, so that a save does not overwrite a newer one unasked.
+void AutosaveTest::aFileSavedAfterTheCrashIsSeen() {
+  const QString file = m_folder->filePath(QStringLiteral("a.spindrift"));
+  {
+    SceneDocument document(m_reader);
+    Autosave autosave(&document, state(), 0);
+    document.saveAs(file);
+    QVERIFY(document.finishSaving().ok());
+    QVERIFY(edit::setValue(document, "weather", "wind_speed_m_s", 9.0).ok());
+    QVERIFY(autosave.flush().ok());
+  }
+  SceneDocument document(m_reader);
+  Autosave autosave(&document, state());
+  QVERIFY(autosave.recover(autosave.recoverable().at(0)).ok());
+  QCOMPARE(document.path(), file);
+  QVERIFY(!document.isChangedOnDisk());
+  SceneDocument newer(m_reader);
+  QVERIFY(newer.open(file).ok());
+  QVERIFY(edit::setValue(newer, "weather", "wind_speed_m_s", 3.0).ok());
+  newer.save();
+  QVERIFY(newer.finishSaving().ok());
+  QVERIFY(document.isChangedOnDisk());
 }
 
 void AutosaveTest::aLiveSceneIsNotOffered() {

@@ -38,11 +38,15 @@ class SceneDocumentTest : public QObject {
   void savesAndOpens();
   void savingTellsTheOutcomeLater();
   void anEditDuringASaveStaysModified();
+  void changesOnDiskAreSeen();
   void aFailedOpenKeepsTheScene();
   void paintedLayersAreSavedAndRead();
   void unchangedLayersAreNotWrittenAgain();
   void savingElsewhereRebasesFiles();
   void assetsFromOutsideAreAllowedByTheUser();
+  void filesAreCopiedAtTheFirstSave();
+  void aFileThatCannotBeCopiedDoesNotHinderTheSave();
+  void filesOutsideAreAnIssue();
   void issuesAreGatheredBySource();
   void selectionFollowsTheScene();
   void recentFilesAreNewestFirst();
@@ -97,6 +101,28 @@ void SceneDocumentTest::anEditDuringASaveStaysModified() {
   QVERIFY(edit::setValue(document, "weather", "wind_speed_m_s", 8.0, drag).ok());
   QVERIFY(document.finishSaving().ok());
   QVERIFY2(document.isModified(), "the merged step has the same index as the saved one");
+}
+
+void SceneDocumentTest::changesOnDiskAreSeen() {
+  SceneDocument document(m_reader);
+  QVERIFY(!document.isChangedOnDisk());
+  document.saveAs(path("a.spindrift"));
+  QVERIFY(document.finishSaving().ok());
+  QVERIFY(!document.isChangedOnDisk());
+  SceneDocument other(m_reader);
+  QVERIFY(other.open(path("a.spindrift")).ok());
+  QVERIFY(!other.isChangedOnDisk());
+  QVERIFY(edit::setValue(other, "weather", "wind_speed_m_s", 7.0).ok());
+  other.save();
+  QVERIFY(other.finishSaving().ok());
+  QVERIFY(!other.isChangedOnDisk());
+  QVERIFY(document.isChangedOnDisk());
+  document.save();
+  QVERIFY(document.finishSaving().ok());
+  QVERIFY(!document.isChangedOnDisk());
+  QVERIFY(other.isChangedOnDisk());
+  QVERIFY(QFile::remove(path("a.spindrift")));
+  QVERIFY2(!other.isChangedOnDisk(), "nothing would be overwritten");
 }
 
 void SceneDocumentTest::aFailedOpenKeepsTheScene() {
@@ -177,14 +203,89 @@ void SceneDocumentTest::assetsFromOutsideAreAllowedByTheUser() {
   QVERIFY(first.ok());
   QCOMPARE(document.selected(), *first);
   write(path("dem2.txt"), "1 1 1 6");
-  const Result<std::string> second =
-      edit::addAssetNode(document, kTerrainType, path("dem2.txt"), {{"epsg", std::int64_t{31287}}});
+  edit::AssetDetails details;
+  details.options.epsg = 31287;
+  const Result<std::string> second = edit::addAssetNode(document, kTerrainType, path("dem2.txt"), details);
   QVERIFY(second.ok());
   QCOMPARE(*second, *first);
   QCOMPARE(document.node(*first)->as<TerrainNode>()->epsg, 31287);
   QVERIFY(!edit::addAssetNode(document, kModelType, QStringLiteral("/dev/zero")).ok());
   SceneDocument later(m_reader);
   QCOMPARE(later.pathPolicy().allowedFolders.size(), document.pathPolicy().allowedFolders.size());
+}
+
+void SceneDocumentTest::filesAreCopiedAtTheFirstSave() {
+  const QTemporaryDir elsewhere;
+  write(elsewhere.filePath(QStringLiteral("hut.obj")), "3");
+  SceneDocument document(m_reader);
+  edit::AssetDetails details;
+  details.copyOnSave = true;
+  const auto added =
+      edit::addAssetNode(document, kModelType, elsewhere.filePath(QStringLiteral("hut.obj")), details);
+  QVERIFY(added.ok());
+  QVERIFY(edit::duplicateNode(document, *added).ok());
+  QVERIFY2(SceneDocument(m_reader).pathPolicy().allowedFolders.empty(), "nothing is allowed for good");
+  std::vector<AssetLibrary::Issue> issues;
+  QVERIFY(document.assets()->snapshot(document.scene(), {}, issues).ok());
+  QVERIFY2(issues.empty(), "the file is shown before it is copied");
+  document.saveAs(path("a.spindrift"));
+  QVERIFY(document.finishSaving().ok());
+  QVERIFY(QFile::exists(path("a.assets/hut.obj")));
+  QCOMPARE(sourceOf(*document.node(*added)), std::string("a.assets/hut.obj"));
+  QCOMPARE(sourceOf(*document.node(*added + "_2")), std::string("a.assets/hut.obj"));
+  QVERIFY(document.issues().empty());
+  QVERIFY(!document.isModified());
+  // Undo and redo bring the first path back; the next save copies again.
+  document.undoStack()->undo();
+  document.undoStack()->undo();
+  document.undoStack()->redo();
+  document.save();
+  QVERIFY(document.finishSaving().ok());
+  QCOMPARE(sourceOf(*document.node(*added)), std::string("a.assets/hut.obj"));
+}
+
+void SceneDocumentTest::aFileThatCannotBeCopiedDoesNotHinderTheSave() {
+  const QTemporaryDir elsewhere;
+  const QString hut = elsewhere.filePath(QStringLiteral("hut.obj"));
+  write(hut, "3");
+  SceneDocument document(m_reader);
+  edit::AssetDetails details;
+  details.copyOnSave = true;
+  QVERIFY(edit::addAssetNode(document, kModelType, hut, details).ok());
+  QVERIFY(QFile::remove(hut));
+  document.saveAs(path("a.spindrift"));
+  QVERIFY(document.finishSaving().ok());
+  QVERIFY(QFile::exists(path("a.spindrift")));
+  const auto& issues = document.issues();
+  QVERIFY(std::any_of(issues.begin(), issues.end(), [](const DocumentIssue& issue) {
+    return issue.text.contains(QStringLiteral("could not be copied"));
+  }));
+}
+
+void SceneDocumentTest::filesOutsideAreAnIssue() {
+  const QTemporaryDir elsewhere;
+  write(elsewhere.filePath(QStringLiteral("hut.obj")), "3");
+  SceneDocument document(m_reader);
+  const auto added = edit::addAssetNode(document, kModelType, elsewhere.filePath(QStringLiteral("hut.obj")));
+  QVERIFY(added.ok());
+  QVERIFY2(document.issues().empty(), "the scene has no folder yet");
+  document.saveAs(path("a.spindrift"));
+  QVERIFY(document.finishSaving().ok());
+  QCOMPARE(document.issues().size(), 1u);
+  QVERIFY(document.issues()[0].severity == Severity::Warning);
+  QCOMPARE(document.issues()[0].node, *added);
+  QVERIFY(document.issues()[0].text.contains(QStringLiteral("hut.obj")));
+  QVERIFY(document.issues()[0].text.contains(QStringLiteral("Collect files")));
+  SceneDocument other(m_reader);
+  QVERIFY(other.open(path("a.spindrift")).ok());
+  QCOMPARE(other.issues().size(), 1u);
+  const Result<int> collected = edit::collectFiles(document);
+  QVERIFY(collected.ok());
+  QCOMPARE(*collected, 1);
+  QVERIFY(document.issues().empty());
+  QCOMPARE(*edit::collectFiles(document), 0);
+  document.undoStack()->undo();
+  QCOMPARE(document.issues().size(), 1u);
 }
 
 void SceneDocumentTest::issuesAreGatheredBySource() {

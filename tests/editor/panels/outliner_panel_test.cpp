@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "editor/panels/outliner_panel.h"
 
+#include <QApplication>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
@@ -23,7 +26,9 @@ class OutlinerPanelTest : public QObject {
 
  private Q_SLOTS:
   void selectionGoesBothWays();
+  void aClickDoesNotRename();
   void nodesAreAddedAndRemoved();
+  void noIssuesAreSaid();
   void issuesLeadToTheirNode();
 };
 
@@ -35,11 +40,24 @@ void OutlinerPanelTest::selectionGoesBothWays() {
   QCOMPARE(panel.view()->currentIndex().data(NodeListModel::IdRole).toString(), QStringLiteral("camera"));
   panel.view()->setCurrentIndex(panel.view()->model()->index(0, 0));
   QCOMPARE(document.selected(), std::string("weather"));
-  QSignalSpy activated(&panel, &OutlinerPanel::nodeActivated);
+}
+
+/// Clicks select; only a double click and F2 rename.
+void OutlinerPanelTest::aClickDoesNotRename() {
+  SceneDocument document(m_reader);
+  OutlinerPanel panel(&document);
+  panel.resize(300, 300);
+  panel.show();
+  document.select("camera");
+  const auto editor = [&] { return panel.view()->viewport()->findChild<QLineEdit*>(); };
   const QPoint centre = panel.view()->visualRect(panel.view()->currentIndex()).center();
   QTest::mouseClick(panel.view()->viewport(), Qt::LeftButton, {}, centre);
+  QTest::qWait(QApplication::doubleClickInterval() + 100);
+  QTest::mouseClick(panel.view()->viewport(), Qt::LeftButton, {}, centre);
+  QTest::qWait(QApplication::doubleClickInterval() + 100);
+  QVERIFY(!editor());
   QTest::mouseDClick(panel.view()->viewport(), Qt::LeftButton, {}, centre);
-  QCOMPARE(activated.count(), 1);
+  QVERIFY(editor());
 }
 
 void OutlinerPanelTest::nodesAreAddedAndRemoved() {
@@ -62,6 +80,18 @@ void OutlinerPanelTest::nodesAreAddedAndRemoved() {
   QTest::keyClick(panel.view(), Qt::Key_Delete);
   QVERIFY(!document.node("model_2"));
   QVERIFY(document.node("model"));
+}
+
+void OutlinerPanelTest::noIssuesAreSaid() {
+  SceneDocument document(m_reader);
+  IssuesPanel panel(&document);
+  panel.show();
+  const auto* empty = panel.findChild<QLabel*>(QStringLiteral("noIssues"));
+  QVERIFY(empty && empty->isVisible());
+  document.setIssues(QStringLiteral("x"), {{Severity::Warning, {}, {}, QStringLiteral("slow")}});
+  QVERIFY(!empty->isVisible());
+  document.newScene();
+  QVERIFY(empty->isVisible());
 }
 
 void OutlinerPanelTest::issuesLeadToTheirNode() {

@@ -75,6 +75,9 @@ class PropertyPanelTest : public QObject {
   void revealFocusesTheRow();
   void undoIsShown();
   void theWheelNeedsTheFocus();
+  void undoPassesUnlessTheFieldHasSome_data();
+  void undoPassesUnlessTheFieldHasSome();
+  void returnIsTold();
 };
 
 void PropertyPanelTest::everyPropertyHasARow() {
@@ -230,6 +233,46 @@ void PropertyPanelTest::theWheelNeedsTheFocus() {
                    Qt::NoModifier, Qt::NoScrollPhase, false);
   QCoreApplication::sendEvent(spin, &turn);
   QCOMPARE(weather("wind_speed_m_s"), 2.0);
+}
+
+void PropertyPanelTest::undoPassesUnlessTheFieldHasSome_data() {
+  QTest::addColumn<QByteArray>("node");
+  QTest::addColumn<QByteArray>("property");
+  QTest::newRow("number") << QByteArray("weather") << QByteArray("wind_speed_m_s");
+  QTest::newRow("text") << QByteArray("render") << QByteArray("caption");
+}
+
+/// A field keeps Ctrl+Z only while it holds typing that is not taken yet.
+void PropertyPanelTest::undoPassesUnlessTheFieldHasSome() {
+  QFETCH(QByteArray, node);
+  QFETCH(QByteArray, property);
+  m_document->select(node.toStdString());
+  QWidget* field = part<QWidget>(property.constData(), "editor")->focusProxy();
+  QVERIFY(field);
+  const auto keeps = [&](Qt::KeyboardModifiers keys) {
+    QKeyEvent event(QEvent::ShortcutOverride, Qt::Key_Z, keys);
+    event.ignore();
+    QCoreApplication::sendEvent(field, &event);
+    return event.isAccepted();
+  };
+  field->setFocus();
+  QVERIFY(!keeps(Qt::ControlModifier));
+  QVERIFY(!keeps(Qt::ControlModifier | Qt::ShiftModifier));
+  QTest::keyClicks(field, QStringLiteral("7"));
+  QVERIFY(keeps(Qt::ControlModifier));
+  QTest::keyClick(field, Qt::Key_Return);
+  QVERIFY(!keeps(Qt::ControlModifier));
+}
+
+void PropertyPanelTest::returnIsTold() {
+  QSignalSpy entered(m_panel.get(), &PropertyPanel::entered);
+  type(part<UnitSpinBox>("wind_speed_m_s", "number"), "9");
+  QTRY_COMPARE(entered.count(), 1);
+  QCOMPARE(weather("wind_speed_m_s"), 9.0);
+  m_document->select("render");
+  type(part<QLineEdit>("caption", "text"), "Kontertal");
+  QTRY_COMPARE(entered.count(), 2);
+  QCOMPARE(value("render", "caption"), Value(std::string("Kontertal")));
 }
 
 QTEST_MAIN(PropertyPanelTest)

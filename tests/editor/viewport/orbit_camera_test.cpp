@@ -103,6 +103,48 @@ class OrbitCameraTest : public QObject {
     QVERIFY(right - left > 200);
   }
 
+  /// A camera that looked upward frames from above, from the same side.
+  void frameLooksFromAbove() {
+    OrbitCamera camera = OrbitCamera::from({{-40, 0, 2}, {0, 0, 30}, 45});
+    QVERIFY(camera.pitchDegrees() < 0.0);
+    Box3d box;
+    box.extend(Vec3d{-5, -5, 0});
+    box.extend(Vec3d{5, 5, 8});
+    camera.frame(box);
+    QCOMPARE(camera.pitchDegrees(), OrbitCamera::kMinFramePitchDegrees);
+    const RenderCamera seen = camera.camera();
+    QVERIFY(seen.position.z > box.max.z);
+    QVERIFY(seen.position.x < 0.0);
+    QVERIFY(std::abs(seen.position.y) < 1e-9);
+    OrbitCamera steep = OrbitCamera::from({{0, -10, 40}, {0, 0, 0}, 45});
+    const double pitch = steep.pitchDegrees();
+    steep.frame(box);
+    QCOMPARE(steep.pitchDegrees(), pitch);
+  }
+
+  /// Turning out of the ground keeps pivot and distance, lifting keeps the direction.
+  void theFloorHoldsTheEye() {
+    const EyeFloor slope = [](double x, double) { return 5.0 - 0.5 * x; };
+    OrbitCamera camera = OrbitCamera::from({{-20, 0, -10}, {0, 0, 6}, 45});
+    const double distance = camera.distance();
+    OrbitCamera lifted = camera;
+    camera.turnAbove(slope);
+    const Vec3d eye = camera.camera().position;
+    QVERIFY(eye.z >= slope(eye.x, eye.y));
+    QVERIFY(eye.z < slope(eye.x, eye.y) + 0.1);
+    QCOMPARE(camera.distance(), distance);
+    QVERIFY(length(camera.pivot() - Vec3d{0, 0, 6}) < 1e-12);
+    lifted.liftAbove(slope);
+    QVERIFY(std::abs(lifted.camera().position.z - 15.0) < 1e-9);
+    QVERIFY(std::abs(lifted.pivot().z - 31.0) < 1e-9);
+    QVERIFY(std::abs(lifted.camera().position.x + 20.0) < 1e-9);
+    // A pivot deep in the ground: no turn is enough.
+    OrbitCamera buried = OrbitCamera::from({{0, -2, -50}, {0, 0, -50}, 45});
+    buried.turnAbove(slope);
+    const Vec3d out = buried.camera().position;
+    QVERIFY(out.z >= slope(out.x, out.y) - 1e-9);
+  }
+
   /// A flight starts and ends where it should and takes the short way round.
   void flightTakesTheShortWay() {
     const OrbitCamera a = OrbitCamera::from({{-50, -10, 10}, {0, 0, 0}, 45});

@@ -204,6 +204,63 @@ class ViewportToolsTest : public QObject {
     QTest::mouseRelease(f.viewport.surface(), Qt::MiddleButton, {}, {400, 300});
   }
 
+  /// No way of moving takes the eye into the ground.
+  void theEyeStaysAboveTheGround() {
+    Fixture f;
+    const TerrainSurface surface(f.viewport.context().scene->terrain->heights);
+    const auto above = [&] {
+      const Vec3d eye = f.viewport.camera().position;
+      return eye.z - surface.nearestHeight(eye.x, eye.y);
+    };
+    const auto drag = [&](QPoint to, Qt::KeyboardModifiers keys) {
+      QTest::mousePress(f.viewport.surface(), Qt::MiddleButton, keys, {400, 300});
+      f.move(to, Qt::MiddleButton, keys);
+      QTest::mouseRelease(f.viewport.surface(), Qt::MiddleButton, keys, to);
+    };
+    drag({400, -900}, {});
+    QVERIFY2(above() > 0.1, qPrintable(QString::number(above())));
+    QVERIFY(length(f.viewport.camera().target - Vec3d{128, 128, 15}) < 1e-9);
+    drag({400, -900}, Qt::ShiftModifier);
+    QVERIFY2(above() > 0.1, qPrintable(QString::number(above())));
+    const QPointF at(450, 350);
+    for (int k = 0; k < 40; ++k) {
+      QWheelEvent wheel(at, f.viewport.surface()->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, {},
+                        Qt::NoScrollPhase, false);
+      QCoreApplication::sendEvent(f.viewport.surface(), &wheel);
+      QVERIFY2(above() > 0.1, qPrintable(QString::number(above())));
+    }
+  }
+
+  /// From a camera near the ground that looks up, framing ends above what it shows.
+  void frameEndsAboveTheGround() {
+    Fixture f;
+    f.viewport.setCamera({{128, 20, 2}, {128, 128, 60}, 45});
+    f.viewport.setSelected("cube");
+    f.viewport.frameSelection();
+    const Box3d box = nodeBounds(*f.viewport.context().scene, "cube", 0.0);
+    QTRY_VERIFY(length(f.viewport.camera().target - box.centre()) < 1e-6);
+    const Vec3d eye = f.viewport.camera().position;
+    const double elevation =
+        std::atan2(eye.z - box.centre().z, std::hypot(eye.x - box.centre().x, eye.y - box.centre().y));
+    QVERIFY(elevation > 14.9 * M_PI / 180.0);
+    QVERIFY(eye.y < box.centre().y);
+  }
+
+  /// Far views lose haze, near ones and those through the camera do not.
+  void farViewsHaveLessHaze() {
+    Fixture f;
+    auto snowy = std::make_shared<SceneSnapshot>(*f.viewport.context().scene);
+    snowy->nodes.push_back(makeNode(kSnowfallType, "snowfall", "Snowfall"));
+    f.viewport.setScene(snowy);
+    f.viewport.setCamera({{128, 100, 60}, {128, 128, 30}, 45});
+    QCOMPARE(f.viewport.hazeScale(), 1.0);
+    f.viewport.setCamera({{128, -8000, 3000}, {128, 128, 15}, 45});
+    const double far = f.viewport.hazeScale();
+    QVERIFY2(far < 0.2, qPrintable(QString::number(far)));
+    f.viewport.setLookThrough(true);
+    QCOMPARE(f.viewport.hazeScale(), 1.0);
+  }
+
   /// Framing flies to the selected model and ends close to it.
   void frameFlies() {
     Fixture f;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "editor/cli/first_view.h"
+#include "core/scene/first_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +10,13 @@
 #include "core/fields/terrain_surface.h"
 
 namespace spin {
-namespace {
 
-std::optional<Vec3d> groundNearMiddle(const Raster<float>& heights) {
+std::optional<Vec3d> groundNear(const Raster<float>& heights, double column, double row) {
   std::optional<Vec3d> nearest;
   double least = std::numeric_limits<double>::infinity();
   for (int j = 0; j < heights.height; ++j)
     for (int i = 0; i < heights.width; ++i) {
-      const double distance = std::hypot(i - 0.5 * heights.width, j - 0.5 * heights.height);
+      const double distance = (i - column) * (i - column) + (j - row) * (j - row);
       if (distance >= least || std::isnan(heights.at(i, j))) continue;
       least = distance;
       nearest = Vec3d{heights.x(i), heights.y(j), static_cast<double>(heights.at(i, j))};
@@ -25,10 +24,8 @@ std::optional<Vec3d> groundNearMiddle(const Raster<float>& heights) {
   return nearest;
 }
 
-}  // namespace
-
 std::optional<FirstView> firstViewOf(const Raster<float>& heights) {
-  const std::optional<Vec3d> target = groundNearMiddle(heights);
+  const std::optional<Vec3d> target = groundNear(heights, 0.5 * heights.width, 0.5 * heights.height);
   if (!target) return {};
   constexpr int kSides = 8;
   const double distance =

@@ -9,6 +9,9 @@
 
 namespace spin {
 
+/// The cell with data nearest to a place given in columns and rows; nothing if none has data.
+std::optional<Vec3d> groundNear(const Raster<float>& heights, double column, double row);
+
 struct FirstView {
   Vec3d position{};  ///< of the camera, m, local; above the ground
   Vec3d target{};    ///< a point of the ground near the terrain's middle
