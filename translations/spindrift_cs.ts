@@ -27,6 +27,38 @@
         <source>Import %1</source>
         <translation>Importovat %1</translation>
     </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Odebrat %1</translation>
+    </message>
+    <message>
+        <source>Reorder nodes</source>
+        <translation>Změnit pořadí uzlů</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>Přejmenovat %1</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Změnit %1</translation>
+    </message>
+    <message>
+        <source>Set key of %1</source>
+        <translation>Nastavit klíč: %1</translation>
+    </message>
+    <message>
+        <source>Remove key of %1</source>
+        <translation>Odebrat klíč: %1</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>Posunout klíče</translation>
+    </message>
+    <message>
+        <source>Revert %1</source>
+        <translation>Vrátit %1</translation>
+    </message>
 </context>
 <context>
     <name>Properties</name>
@@ -733,6 +765,10 @@
         <source>The file %1 lies outside the scene&apos;s folder: the command line refuses it, and it is missing where the scene is moved to. Use File &gt; Collect files beside the scene.</source>
         <translation>Soubor %1 leží mimo složku scény: příkazový řádek ho odmítne a po přesunutí scény bude chybět. Použijte Soubor &gt; Sebrat soubory ke scéně.</translation>
     </message>
+    <message>
+        <source>No file is chosen for %1.</source>
+        <translation>Pro %1 není vybrán soubor.</translation>
+    </message>
 </context>
 <context>
     <name>spin::Application</name>
@@ -866,6 +902,22 @@
         <source>The export failed.</source>
         <translation>Export selhal.</translation>
     </message>
+    <message>
+        <source>The export is still running.</source>
+        <translation>Export ještě běží.</translation>
+    </message>
+    <message>
+        <source>Stop it</source>
+        <translation>Zastavit ho</translation>
+    </message>
+    <message>
+        <source>Keep exporting</source>
+        <translation>Pokračovat v exportu</translation>
+    </message>
+    <message>
+        <source>Exported to %1.</source>
+        <translation>Exportováno do %1.</translation>
+    </message>
 </context>
 <context>
     <name>spin::ExportJob</name>
@@ -907,6 +959,22 @@
     <message>
         <source>scene</source>
         <translation>scena</translation>
+    </message>
+    <message>
+        <source>Changed on disk</source>
+        <translation>Soubor se na disku změnil</translation>
+    </message>
+    <message>
+        <source>Another program has changed &quot;%1&quot; since it was opened or saved here. Saving overwrites these changes.</source>
+        <translation>Jiný program změnil „%1“ od doby, kdy byl zde otevřen nebo uložen. Uložení tyto změny přepíše.</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Přepsat</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Uložit jako...</translation>
     </message>
 </context>
 <context>
@@ -1083,6 +1151,13 @@
     <message>
         <source>Issue</source>
         <translation>Problém</translation>
+    </message>
+</context>
+<context>
+    <name>spin::IssuesPanel</name>
+    <message>
+        <source>No issues</source>
+        <translation>Žádné problémy</translation>
     </message>
 </context>
 <context>
@@ -1430,6 +1505,14 @@
         <source>Exports are made from the saved scene. Save it now?</source>
         <translation>Exportuje se uložená scéna. Uložit ji nyní?</translation>
     </message>
+    <message numerus="yes">
+        <source>The recovered scene is open; %n file(s) of the command line were not opened.</source>
+        <translation>
+            <numerusform>Je otevřena obnovená scéna; %n soubor z příkazové řádky nebyl otevřen.</numerusform>
+            <numerusform>Je otevřena obnovená scéna; %n soubory z příkazové řádky nebyly otevřeny.</numerusform>
+            <numerusform>Je otevřena obnovená scéna; %n souborů z příkazové řádky nebylo otevřeno.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spin::OutlinerPanel</name>
@@ -1525,6 +1608,13 @@
     <message>
         <source>The scene is being saved already.</source>
         <translation>Scéna se už ukládá.</translation>
+    </message>
+</context>
+<context>
+    <name>spin::SceneLock</name>
+    <message>
+        <source>This scene is open in another window of the program too. Whoever saves last overwrites what the other has saved.</source>
+        <translation>Tato scéna je otevřena i v jiném okně programu. Kdo uloží poslední, přepíše to, co uložil ten druhý.</translation>
     </message>
 </context>
 <context>

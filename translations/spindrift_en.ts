@@ -21,4 +21,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>spin::MainWindow</name>
+    <message numerus="yes">
+        <source>The recovered scene is open; %n file(s) of the command line were not opened.</source>
+        <translation>
+            <numerusform>The recovered scene is open; %n file of the command line was not opened.</numerusform>
+            <numerusform>The recovered scene is open; %n files of the command line were not opened.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

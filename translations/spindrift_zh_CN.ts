@@ -27,6 +27,38 @@
         <source>Import %1</source>
         <translation>导入 %1</translation>
     </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>移除 %1</translation>
+    </message>
+    <message>
+        <source>Reorder nodes</source>
+        <translation>重排节点</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>重命名 %1</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>更改 %1</translation>
+    </message>
+    <message>
+        <source>Set key of %1</source>
+        <translation>设置关键帧：%1</translation>
+    </message>
+    <message>
+        <source>Remove key of %1</source>
+        <translation>移除关键帧：%1</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>移动关键帧</translation>
+    </message>
+    <message>
+        <source>Revert %1</source>
+        <translation>还原 %1</translation>
+    </message>
 </context>
 <context>
     <name>Properties</name>
@@ -733,6 +765,10 @@
         <source>The file %1 lies outside the scene&apos;s folder: the command line refuses it, and it is missing where the scene is moved to. Use File &gt; Collect files beside the scene.</source>
         <translation>文件 %1 位于场景文件夹之外：命令行会拒绝它，场景移到别处后也会找不到它。请使用“文件 &gt; 将文件收集到场景旁”。</translation>
     </message>
+    <message>
+        <source>No file is chosen for %1.</source>
+        <translation>没有为 %1 选择文件。</translation>
+    </message>
 </context>
 <context>
     <name>spin::Application</name>
@@ -864,6 +900,22 @@
         <source>The export failed.</source>
         <translation>导出失败。</translation>
     </message>
+    <message>
+        <source>The export is still running.</source>
+        <translation>导出仍在进行。</translation>
+    </message>
+    <message>
+        <source>Stop it</source>
+        <translation>停止导出</translation>
+    </message>
+    <message>
+        <source>Keep exporting</source>
+        <translation>继续导出</translation>
+    </message>
+    <message>
+        <source>Exported to %1.</source>
+        <translation>已导出到 %1。</translation>
+    </message>
 </context>
 <context>
     <name>spin::ExportJob</name>
@@ -905,6 +957,22 @@
     <message>
         <source>scene</source>
         <translation>scene</translation>
+    </message>
+    <message>
+        <source>Changed on disk</source>
+        <translation>磁盘上的文件已更改</translation>
+    </message>
+    <message>
+        <source>Another program has changed &quot;%1&quot; since it was opened or saved here. Saving overwrites these changes.</source>
+        <translation>“%1”在此处打开或保存之后已被其他程序更改。保存会覆盖这些更改。</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>覆盖</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>另存为...</translation>
     </message>
 </context>
 <context>
@@ -1079,6 +1147,13 @@
     <message>
         <source>Issue</source>
         <translation>问题</translation>
+    </message>
+</context>
+<context>
+    <name>spin::IssuesPanel</name>
+    <message>
+        <source>No issues</source>
+        <translation>没有问题</translation>
     </message>
 </context>
 <context>
@@ -1426,6 +1501,12 @@
         <source>Exports are made from the saved scene. Save it now?</source>
         <translation>导出使用已保存的场景。现在保存吗？</translation>
     </message>
+    <message numerus="yes">
+        <source>The recovered scene is open; %n file(s) of the command line were not opened.</source>
+        <translation>
+            <numerusform>已打开恢复的场景；命令行中的 %n 个文件未打开。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spin::OutlinerPanel</name>
@@ -1521,6 +1602,13 @@
     <message>
         <source>The scene is being saved already.</source>
         <translation>场景正在保存。</translation>
+    </message>
+</context>
+<context>
+    <name>spin::SceneLock</name>
+    <message>
+        <source>This scene is open in another window of the program too. Whoever saves last overwrites what the other has saved.</source>
+        <translation>此场景也在本程序的另一个窗口中打开。最后保存的一方会覆盖另一方保存的内容。</translation>
     </message>
 </context>
 <context>

@@ -42,7 +42,7 @@ Status push(SceneDocument& document, const SceneNode& node) {
   if (taken)
     return Error{ErrorKind::Failed, "The node cannot be added", taken->id,
                  "a scene has only one of this type", "Change the one that is there"};
-  const QString text = tr(QT_TRANSLATE_NOOP("Edits", "Add %1")).arg(QString::fromStdString(node.name));
+  const QString text = QCoreApplication::translate("Edits", "Add %1").arg(QString::fromStdString(node.name));
   document.undoStack()->push(new AddNode(document, node, document.scene().nodes().size(), text));
   document.select(node.id);
   return {};
@@ -75,7 +75,8 @@ Result<std::string> duplicateNode(SceneDocument& document, const std::string& id
 Status removeNode(SceneDocument& document, const std::string& id) {
   const SceneNode* node = document.node(id);
   if (!node) return noNode(id);
-  const QString text = tr(QT_TRANSLATE_NOOP("Edits", "Remove %1")).arg(QString::fromStdString(node->name));
+  const QString text =
+      QCoreApplication::translate("Edits", "Remove %1").arg(QString::fromStdString(node->name));
   document.undoStack()->push(new RemoveNode(document, id, text));
   return {};
 }
@@ -86,7 +87,7 @@ Status moveNode(SceneDocument& document, std::size_t from, std::size_t to) {
     return Error{ErrorKind::Usage, "The node cannot be moved", {}, "there is no such place", {}};
   if (from == to) return {};
   document.undoStack()->push(
-      new MoveNode(document, from, to, tr(QT_TRANSLATE_NOOP("Edits", "Reorder nodes"))));
+      new MoveNode(document, from, to, QCoreApplication::translate("Edits", "Reorder nodes")));
   return {};
 }
 
@@ -95,7 +96,8 @@ Status renameNode(SceneDocument& document, const std::string& id, const QString&
   if (!node) return noNode(id);
   if (Status status = checkName(name); !status) return status;
   if (name.toStdString() == node->name) return {};
-  const QString text = tr(QT_TRANSLATE_NOOP("Edits", "Rename %1")).arg(QString::fromStdString(node->name));
+  const QString text =
+      QCoreApplication::translate("Edits", "Rename %1").arg(QString::fromStdString(node->name));
   document.undoStack()->push(new ChangeMember<std::string>(document, id, &SceneNode::name, name.toStdString(),
                                                            ChangeKind::Renamed, text));
   return {};

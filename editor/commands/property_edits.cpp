@@ -13,10 +13,6 @@ using Change = ChangeProperties::Change;
 
 constexpr double kLongestFilm = 1e7;  ///< s
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("Edits", text);
-}
-
 QString label(const PropertyInfo& property) {
   return QCoreApplication::translate("Properties", property.label);
 }
@@ -74,8 +70,8 @@ Result<PropertyState> withKey(const Target& target, double filmTime, const Value
 
 QString changeText(const std::vector<Change>& changes, const SceneNode& node) {
   if (changes.size() == 1)
-    return tr(QT_TRANSLATE_NOOP("Edits", "Change %1")).arg(label(*changes.front().property));
-  return tr(QT_TRANSLATE_NOOP("Edits", "Change %1")).arg(QString::fromStdString(node.name));
+    return QCoreApplication::translate("Edits", "Change %1").arg(label(*changes.front().property));
+  return QCoreApplication::translate("Edits", "Change %1").arg(QString::fromStdString(node.name));
 }
 
 /// Plain values, or keys at a time where a time is given and the property is animated.
@@ -128,7 +124,7 @@ Status setKey(SceneDocument& document, const std::string& node, const std::strin
   Result<PropertyState> after = withKey(*target, filmTime, value, interpolation);
   if (!after) return after.error();
   push(document, node, {{target->property, stateOf(*target->node, *target->property), std::move(*after)}},
-       session, tr(QT_TRANSLATE_NOOP("Edits", "Set key of %1")).arg(label(*target->property)));
+       session, QCoreApplication::translate("Edits", "Set key of %1").arg(label(*target->property)));
   return {};
 }
 
@@ -148,7 +144,7 @@ Status removeKey(SceneDocument& document, const std::string& node, const std::st
     after.curve->removeKey(filmTime);
   }
   push(document, node, {{target->property, before, std::move(after)}}, 0,
-       tr(QT_TRANSLATE_NOOP("Edits", "Remove key of %1")).arg(label(*target->property)));
+       QCoreApplication::translate("Edits", "Remove key of %1").arg(label(*target->property)));
   return {};
 }
 
@@ -170,7 +166,7 @@ Status moveKeys(SceneDocument& document, const std::string& id, double fromTime,
     after.curve->setKey(std::move(moved));
     changes.push_back({property, before, std::move(after)});
   }
-  push(document, id, std::move(changes), session, tr(QT_TRANSLATE_NOOP("Edits", "Move keys")));
+  push(document, id, std::move(changes), session, QCoreApplication::translate("Edits", "Move keys"));
   return {};
 }
 
@@ -180,7 +176,7 @@ Status revert(SceneDocument& document, const std::string& node, const std::strin
   const PropertyState before = stateOf(*target->node, *target->property);
   const PropertyState after{defaultValue(*target->node->type, *target->property), {}};
   push(document, node, {{target->property, before, after}}, 0,
-       tr(QT_TRANSLATE_NOOP("Edits", "Revert %1")).arg(label(*target->property)));
+       QCoreApplication::translate("Edits", "Revert %1").arg(label(*target->property)));
   return {};
 }
 

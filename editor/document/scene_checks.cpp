@@ -56,7 +56,7 @@ class Checks {
       const auto* terrain = node.as<TerrainNode>();
       if ((model && model->source.empty()) || (terrain && terrain->source.empty()))
         m_issues.push_back({Severity::Warning, node.id, "source",
-                            tr(QT_TRANSLATE_NOOP("SceneChecks", "No file is chosen for %1."))
+                            QCoreApplication::translate("SceneChecks", "No file is chosen for %1.")
                                 .arg(QString::fromStdString(node.name))});
     }
   }

@@ -166,31 +166,27 @@ struct ColumnMeans {
 
 TYPED_TEST_P(FlowContract, ColumnSettlesToHydrostaticPressure) {
   if (!TypeParam::kLongRuns) GTEST_SKIP() << "too slow in this form";
-  for (const DensityMode mode : {DensityMode::Summation, DensityMode::Continuity}) {
-    FlowConfig c = testing::boxConfig(8, 8, 32);
-    c.materials[0].rheology.viscosity = 400.0f;
-    c.density = mode;
-    const int layers = 20;
-    const double depth = layers * c.spacing;
-    auto particles = testing::lattice(c, 8, 8, layers, 0.2);
-    testing::wrap(c, particles);
-    const Solver solver = this->start(c, particles);
-    this->run(*solver, 1.0, 2500);
-    // The column still rings a little: means over several of its acoustic periods (4 H / c = 0.16 s).
-    ColumnMeans means;
-    for (; means.samples < 100; means.add(solver->samples())) this->run(*solver, 1.0, 15);
-    // 3 to 4 % of rho g H at 20 spacings and support 2; without the wall's own pressure term it is 24 %
-    // and more.
-    EXPECT_LT(means.rms(depth, c.spacing, 9806.65), 0.05) << static_cast<int>(mode);
-    double speed = 0.0, low = 1.0;
-    for (const FlowSample& s : solver->samples()) {
-      speed += dot(s.particle.velocity, s.particle.velocity);
-      low = std::min(low, s.particle.position.z);
-    }
-    EXPECT_LT(std::sqrt(speed / static_cast<double>(solver->count())), 0.02 * std::sqrt(9.8 * depth));
-    EXPECT_GT(low, -0.1 * c.spacing);
-    EXPECT_EQ(solver->count(), 8u * 8u * layers);
+  FlowConfig c = testing::boxConfig(8, 8, 32);
+  c.materials[0].rheology.viscosity = 400.0f;
+  const int layers = 16;
+  const double depth = layers * c.spacing;
+  auto particles = testing::lattice(c, 8, 8, layers, 0.2);
+  testing::wrap(c, particles);
+  const Solver solver = this->start(c, particles);
+  this->run(*solver, 1.0, 2500);
+  // The column still rings a little: means over several of its acoustic periods (4 H / c = 0.16 s).
+  ColumnMeans means;
+  for (; means.samples < 150; means.add(solver->samples())) this->run(*solver, 1.0, 10);
+  // 3.7 % of rho g H at 16 spacings and support 2; without the wall's own pressure term it is 24 % and more.
+  EXPECT_LT(means.rms(depth, c.spacing, 9806.65), 0.05);
+  double speed = 0.0, low = 1.0;
+  for (const FlowSample& s : solver->samples()) {
+    speed += dot(s.particle.velocity, s.particle.velocity);
+    low = std::min(low, s.particle.position.z);
   }
+  EXPECT_LT(std::sqrt(speed / static_cast<double>(solver->count())), 0.02 * std::sqrt(9.8 * depth));
+  EXPECT_GT(low, -0.1 * c.spacing);
+  EXPECT_EQ(solver->count(), 8u * 8u * layers);
 }
 
 TYPED_TEST_P(FlowContract, DensityByContinuityIsTheDivergence) {

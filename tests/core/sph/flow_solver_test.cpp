@@ -155,6 +155,25 @@ TEST(FlowSolverTest, ForceOfTwoParticlesIsTheLaw) {
   EXPECT_LT(length(p[0].pairAcceleration + p[1].pairAcceleration), 1e-6 * length(expected));
 }
 
+TEST(FlowSolverTest, ContinuityGivesAQuietPressureInADeepColumn) {
+  // 40 layers, 2 m: 2.5 % of rho g H; by summation it is 5.3 % here.
+  const int layers = 40;
+  FlowConfig c = testing::boxConfig(8, 8, 64);
+  const double depth = layers * c.spacing;
+  c.density = DensityMode::Continuity;
+  c.materials[0].soundSpeed = 10.0 * std::sqrt(9.80665 * depth);
+  c.materials[0].rheology.viscosity = 150.0f;
+  auto particles = testing::lattice(c, 8, 8, layers, 0.1);
+  testing::wrap(c, particles);
+  const Solver solver = cpuSolver(c, 2, bestIsa());
+  ASSERT_TRUE(solver->add(particles).ok());
+  for (int k = 0; k < 8000; ++k) ASSERT_TRUE(solver->step(1.0).ok());
+  contract::ColumnMeans means;
+  for (; means.samples < 100; means.add(solver->samples()))
+    for (int k = 0; k < 20; ++k) ASSERT_TRUE(solver->step(1.0).ok());
+  EXPECT_LT(means.rms(depth, c.spacing, 9806.65), 0.04);
+}
+
 TEST(FlowSolverTest, ShearRateOfALinearFlowIsExactAlsoAtTheSurface) {
   // u = rate z above a wall that sticks, free surface above: the correction makes up for what is missing
   // there.
