@@ -6,7 +6,8 @@
 
 namespace spin {
 
-/// The solver of core/sph on the card. Fails where there is none (see cudaDevice()) or a value is out of range.
+/// The solver of core/sph on the card. Fails where there is none (see cudaDevice()) or a value is out of
+/// range.
 Result<std::unique_ptr<FlowSolver>> makeFlowSolverCuda(const FlowConfig& config);
 
 }  // namespace spin

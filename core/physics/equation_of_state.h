@@ -13,8 +13,8 @@ SPIN_HD_INLINE T linearPressure(T excess, T restDensity, T soundSpeed) {
   return restDensity * soundSpeed * soundSpeed * excess;
 }
 
-/// Tait's equation p = rho0 c^2/gamma ((rho/rho0)^gamma - 1) with gamma = 7 (Monaghan 1994), Pa, from excess. The power is
-/// expanded, so that small excesses keep their digits.
+/// Tait's equation p = rho0 c^2/gamma ((rho/rho0)^gamma - 1) with gamma = 7 (Monaghan 1994), Pa, from excess.
+/// The power is expanded, so that small excesses keep their digits.
 template <class T>
 SPIN_HD_INLINE T taitPressure(T excess, T restDensity, T soundSpeed) {
   // ((1 + e)^7 - 1) / e

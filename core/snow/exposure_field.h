@@ -76,8 +76,8 @@ Status gatherCover(const SceneSnapshot& snapshot, const SnowGround& ground, cons
 Status estimateRates(const SceneSnapshot& snapshot, const SnowGround& ground, const SnowScene& scene,
                      const ExposureSettings& settings, const Workshop& workshop, SnowRates& rates);
 
-/// Takes the facets of the elevation model out of the fine grids' deposit: at their size a facet of the triangulation is no
-/// feature of the ground. The mass on each grid stays.
+/// Takes the facets of the elevation model out of the fine grids' deposit: at their size a facet of the
+/// triangulation is no feature of the ground. The mass on each grid stays.
 void smoothFacets(const SceneSnapshot& snapshot, const SnowGround& ground, const ExposureSettings& settings,
                   const Workshop& workshop, ExposureField& field);
 
