@@ -29,6 +29,8 @@ bool loadLanguage(QCoreApplication& application, const QString& language) {
   const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
   QLocale::setDefault(locale);
   auto* own = new QTranslator(&application);
+  // A name that Qt does not know becomes the C locale.
+  const bool understood = language.isEmpty() || locale.language() != QLocale::C;
   // The C locale speaks English too, and English has plural forms to load.
   const QLocale spoken = locale.language() == QLocale::C ? QLocale(QLocale::English) : locale;
   if (!own->load(spoken, QStringLiteral("spindrift"), QStringLiteral("_"), folder())) {
@@ -43,7 +45,7 @@ bool loadLanguage(QCoreApplication& application, const QString& language) {
     QCoreApplication::installTranslator(qt);
   else
     delete qt;
-  return true;
+  return understood;
 }
 
 }  // namespace spin

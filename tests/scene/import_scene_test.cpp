@@ -10,6 +10,7 @@
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
 #include "core/nodes/weather_nodes.h"
+#include "tests/support/node_data.h"
 
 namespace spin {
 namespace {
@@ -22,21 +23,21 @@ TEST(ImportScene, ANodeIsNamedAfterItsFileAndKeepsItsOptions) {
   const SceneNode terrain = importedNode(scene, kTerrainType, "/a/Valley (2).asc", {}, options);
   EXPECT_EQ(terrain.id, "terrain");
   EXPECT_EQ(terrain.name, "Valley (2)");
-  EXPECT_EQ(terrain.as<TerrainNode>()->epsg, 31287);
-  EXPECT_TRUE(terrain.as<TerrainNode>()->hasNoData);
-  EXPECT_EQ(terrain.as<TerrainNode>()->noData, -9999.0);
+  EXPECT_EQ(test::dataOf<TerrainNode>(&terrain).epsg, 31287);
+  EXPECT_TRUE(test::dataOf<TerrainNode>(&terrain).hasNoData);
+  EXPECT_EQ(test::dataOf<TerrainNode>(&terrain).noData, -9999.0);
   options.upAxis = 2;
   const SceneNode model = importedNode(scene, kModelType, "/a/Hut (2).glb", "Shed", options);
   EXPECT_EQ(model.id, "hut_2");
   EXPECT_EQ(model.name, "Shed");
-  EXPECT_EQ(model.as<ModelNode>()->upAxis, ModelUpAxis::Z);
+  EXPECT_EQ(test::dataOf<ModelNode>(&model).upAxis, ModelUpAxis::Z);
 }
 
 TEST(ImportScene, SnowIsSetUpOnceOnly) {
   Scene scene = makeDefaultScene();
   applySetUp(snowSetUp(scene), scene);
   EXPECT_TRUE(scene.firstOf(kSnowfallType));
-  EXPECT_EQ(scene.find("simulation")->as<SimulationNode>()->timeScale, 2880.0);
+  EXPECT_EQ(test::dataOf<SimulationNode>(scene.find("simulation")).timeScale, 2880.0);
   EXPECT_TRUE(snowSetUp(scene).changes.empty());
   EXPECT_TRUE(snowSetUp(scene).added.empty());
   Scene slow = makeDefaultScene();
@@ -49,7 +50,7 @@ TEST(ImportScene, OnlyAnUntouchedCameraIsTurned) {
   const FirstView view{{1, 2, 3}, {4, 5, 6}};
   EXPECT_FALSE(cameraTarget(scene)) << "there is no ground to look at";
   applySetUp(cameraSetUp(scene, view), scene);
-  EXPECT_EQ(scene.find("camera")->as<CameraNode>()->position, view.position);
+  EXPECT_EQ(test::dataOf<CameraNode>(scene.find("camera")).position, view.position);
   EXPECT_TRUE(cameraSetUp(scene, view).changes.empty());
   ASSERT_TRUE(scene.append(makeNode(kTerrainType, "terrain", "Terrain")).ok());
   EXPECT_EQ(cameraTarget(scene), view.target);

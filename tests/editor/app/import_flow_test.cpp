@@ -20,6 +20,7 @@
 #include "editor/viewport/viewport.h"
 #include "tests/editor/support/strict.h"
 #include "tests/editor/support/test_scene.h"
+#include "tests/support/node_data.h"
 
 using namespace spin;
 
@@ -69,7 +70,7 @@ struct Fixture {
   }
   const ModelNode* selectedModel() {
     const SceneNode* node = document().node(document().selected());
-    return node ? node->as<ModelNode>() : nullptr;
+    return node && node->as<ModelNode>() ? &test::dataOf<ModelNode>(node) : nullptr;
   }
   bool hasIssue(const QString& words) {
     for (const DocumentIssue& issue : document().issues())
@@ -99,9 +100,9 @@ class ImportFlowTest : public QObject {
     Fixture f;
     QVERIFY(f.importTerrain());
     QVERIFY(f.scene().firstOf(kSnowfallType));
-    QCOMPARE(f.scene().firstOf(kSimulationType)->as<SimulationNode>()->timeScale, 2880.0);
+    QCOMPARE(test::dataOf<SimulationNode>(f.scene().firstOf(kSimulationType)).timeScale, 2880.0);
     QCOMPARE(f.scene().firstOf(kTerrainType)->name, std::string("hill"));
-    const auto* camera = f.scene().firstOf(kCameraType)->as<CameraNode>();
+    const auto* camera = &test::dataOf<CameraNode>(f.scene().firstOf(kCameraType));
     QVERIFY(length(camera->target - Vec3d{128, 128, 30}) < 1.0);
     QCOMPARE(f.document().undoStack()->count(), 1);
     f.trigger("editUndo");
@@ -147,7 +148,8 @@ class ImportFlowTest : public QObject {
     QVERIFY(f.save());
     QVERIFY(f.import(f.write("hut.glb")));
     QTRY_VERIFY(f.selectedModel());
-    QCOMPARE(f.selectedModel()->source, std::string("valley.assets/hut.glb"));
+    QCOMPARE(test::dataOf<ModelNode>(f.document().node(f.document().selected())).source,
+             std::string("valley.assets/hut.glb"));
     QVERIFY(f.window.statusBar()->currentMessage().contains(QStringLiteral("valley.assets")));
     QVERIFY(QSettings().value(QStringLiteral("allowedFolders")).toStringList().isEmpty());
     QVERIFY(!f.hasIssue(QStringLiteral("outside")));
@@ -163,7 +165,8 @@ class ImportFlowTest : public QObject {
     f.trigger("fileCollect");
     QVERIFY(f.window.statusBar()->currentMessage().contains(QStringLiteral("valley.assets")));
     QVERIFY(!f.hasIssue(QStringLiteral("Collect files")));
-    QCOMPARE(f.selectedModel()->source, std::string("valley.assets/hut.glb"));
+    QCOMPARE(test::dataOf<ModelNode>(f.document().node(f.document().selected())).source,
+             std::string("valley.assets/hut.glb"));
     f.trigger("fileCollect");
     QVERIFY(f.window.statusBar()->currentMessage().contains(QStringLiteral("nothing")));
     QCOMPARE(f.errors, QStringList());
@@ -192,10 +195,10 @@ class ImportFlowTest : public QObject {
     QVERIFY(f.import(f.write("ridge.asc")));
     QCOMPARE(f.document().undoStack()->count(), steps + 1);
     QCOMPARE(f.document().node(id)->name, std::string("ridge"));
-    QCOMPARE(f.document().node(id)->as<TerrainNode>()->epsg, 0);
+    QCOMPARE(test::dataOf<TerrainNode>(f.document().node(id)).epsg, 0);
     f.trigger("editUndo");
     QCOMPARE(f.document().node(id)->name, std::string("hill"));
-    QCOMPARE(f.document().node(id)->as<TerrainNode>()->epsg, 31287);
+    QCOMPARE(test::dataOf<TerrainNode>(f.document().node(id)).epsg, 31287);
   }
 };
 

@@ -20,6 +20,7 @@
 #include "editor/viewport/picture_view.h"
 #include "tests/editor/support/strict.h"
 #include "tests/editor/support/test_scene.h"
+#include "tests/support/node_data.h"
 
 using namespace spin;
 
@@ -222,7 +223,7 @@ class MainWindowTest : public QObject {
     QCOMPARE(f.asked, 0);
     QVERIFY(f.window.document().path().isEmpty());
     QVERIFY(f.window.document().isModified());
-    QCOMPARE(f.window.document().node("weather")->as<WeatherNode>()->windSpeed, 17.0);
+    QCOMPARE(test::dataOf<WeatherNode>(f.window.document().node("weather")).windSpeed, 17.0);
     f.window.files().newScene();
   }
 
@@ -256,7 +257,9 @@ class MainWindowTest : public QObject {
     QVERIFY(row);
     auto* field = row->findChild<QWidget*>(QStringLiteral("number"));
     QVERIFY(field);
-    const auto wind = [&] { return f.window.document().node("weather")->as<WeatherNode>()->windSpeed; };
+    const auto wind = [&] {
+      return test::dataOf<WeatherNode>(f.window.document().node("weather")).windSpeed;
+    };
     field->setFocus();
     QVERIFY(field->hasFocus());
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
@@ -344,7 +347,7 @@ class MainWindowTest : public QObject {
     Viewport& view = f.window.viewport();
     view.setTool(Viewport::Tool::Move);
     const int before = f.window.document().undoStack()->index();
-    const auto x = [&] { return f.window.document().node(id)->as<ModelNode>()->position.x; };
+    const auto x = [&] { return test::dataOf<ModelNode>(f.window.document().node(id)).position.x; };
     const auto drag = [&] {
       Q_EMIT view.editStarted();
       for (int k = 1; k <= 5; ++k)
@@ -366,7 +369,7 @@ class MainWindowTest : public QObject {
     Fixture f;
     f.window.viewport().setCamera({{10, -70, 33}, {1, 2, 3}, 40});
     f.action("viewSetCamera")->trigger();
-    const auto* camera = f.window.document().scene().firstOf(kCameraType)->as<CameraNode>();
+    const auto* camera = &test::dataOf<CameraNode>(f.window.document().scene().firstOf(kCameraType));
     QVERIFY(length(camera->position - Vec3d{10, -70, 33}) < 1e-9);
     QVERIFY(length(camera->target - Vec3d{1, 2, 3}) < 1e-9);
     QCOMPARE(camera->fovDegrees, 40.0);

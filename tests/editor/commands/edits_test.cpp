@@ -12,6 +12,7 @@
 #include "core/nodes/terrain_node.h"
 #include "core/nodes/weather_nodes.h"
 #include "tests/support/fake_asset_reader.h"
+#include "tests/support/node_data.h"
 
 using namespace spin;
 
@@ -143,7 +144,7 @@ void EditsTest::aDragIsOneStep() {
   for (int i = 1; i <= 20; ++i)
     QVERIFY(edit::setValue(document, "weather", "wind_speed_m_s", 2.0 + i, drag).ok());
   QCOMPARE(document.undoStack()->count(), 1);
-  QCOMPARE(document.node("weather")->as<WeatherNode>()->windSpeed, 22.0);
+  QCOMPARE(test::dataOf<WeatherNode>(document.node("weather")).windSpeed, 22.0);
   document.undoStack()->undo();
   QCOMPARE(textOf(document), before);
 }
@@ -185,7 +186,7 @@ void EditsTest::keysFollowTheRules() {
   QVERIFY(edit::removeKey(document, "weather", wind, 0.0).ok());
   QVERIFY(edit::removeKey(document, "weather", wind, 2.0).ok());
   QVERIFY(document.node("weather")->curves.empty());
-  QCOMPARE(document.node("weather")->as<WeatherNode>()->windSpeed, 7.0);
+  QCOMPARE(test::dataOf<WeatherNode>(document.node("weather")).windSpeed, 7.0);
   QVERIFY(!edit::setKey(document, "weather", wind, std::nan(""), 1.0).ok());
 }
 
@@ -214,10 +215,10 @@ void EditsTest::animatedPropertiesGetKeys() {
   QVERIFY(edit::setKey(document, "weather", "wind_speed_m_s", 0.0, 3.0).ok());
   QVERIFY(edit::setValueAt(document, "weather", {{"wind_speed_m_s", 8.0}, {"cloud_cover", 1.0}}, 1.0).ok());
   QCOMPARE(document.node("weather")->curves.at("wind_speed_m_s").keys().size(), 2u);
-  QCOMPARE(document.node("weather")->as<WeatherNode>()->cloudCover, 1.0);
+  QCOMPARE(test::dataOf<WeatherNode>(document.node("weather")).cloudCover, 1.0);
   document.undoStack()->undo();
   QCOMPARE(document.node("weather")->curves.at("wind_speed_m_s").keys().size(), 1u);
-  QCOMPARE(document.node("weather")->as<WeatherNode>()->cloudCover, 0.4);
+  QCOMPARE(test::dataOf<WeatherNode>(document.node("weather")).cloudCover, 0.4);
 }
 
 void EditsTest::refusalsChangeNothing() {
@@ -320,11 +321,11 @@ void EditsTest::theFirstTerrainSetsTheSceneUp() {
   QCOMPARE(*added, std::string("terrain"));
   QCOMPARE(document.selected(), *added);
   QCOMPARE(document.node(*added)->name, std::string("Valley 1"));
-  QCOMPARE(document.node(*added)->as<TerrainNode>()->credit, std::string("Measured by nobody"));
+  QCOMPARE(test::dataOf<TerrainNode>(document.node(*added)).credit, std::string("Measured by nobody"));
   QVERIFY(document.scene().firstOf(kSnowfallType));
-  QCOMPARE(document.node("simulation")->as<SimulationNode>()->timeScale, 2880.0);
-  QVERIFY(document.node("camera")->as<CameraNode>()->position == (Vec3d{5, -20, 30}));
-  QVERIFY(document.node("camera")->as<CameraNode>()->target == (Vec3d{5, 6, 7}));
+  QCOMPARE(test::dataOf<SimulationNode>(document.node("simulation")).timeScale, 2880.0);
+  QVERIFY(test::dataOf<CameraNode>(document.node("camera")).position == (Vec3d{5, -20, 30}));
+  QVERIFY(test::dataOf<CameraNode>(document.node("camera")).target == (Vec3d{5, 6, 7}));
   QCOMPARE(document.undoStack()->count(), 1);
   document.undoStack()->undo();
   QCOMPARE(textOf(document), before);
@@ -338,8 +339,8 @@ void EditsTest::whatIsSetUpStays() {
   details.view = FirstView{{5, -20, 30}, {5, 6, 7}};
   QVERIFY(edit::addAssetNode(document, kTerrainType, QStringLiteral("/tmp/valley.asc"), details).ok());
   QVERIFY(!document.scene().firstOf(kSnowfallType));
-  QCOMPARE(document.node("simulation")->as<SimulationNode>()->timeScale, 60.0);
-  QVERIFY(document.node("camera")->as<CameraNode>()->position == (Vec3d{1, 2, 3}));
+  QCOMPARE(test::dataOf<SimulationNode>(document.node("simulation")).timeScale, 60.0);
+  QVERIFY(test::dataOf<CameraNode>(document.node("camera")).position == (Vec3d{1, 2, 3}));
 }
 
 void EditsTest::anotherTerrainLeavesNothingOfTheOldOne() {
@@ -358,7 +359,7 @@ void EditsTest::anotherTerrainLeavesNothingOfTheOldOne() {
   second.credit = "New survey";
   QCOMPARE(*edit::addAssetNode(document, kTerrainType, QStringLiteral("/tmp/new.asc"), second), *id);
   const SceneNode& node = *document.node(*id);
-  const auto& terrain = *node.as<TerrainNode>();
+  const auto& terrain = test::dataOf<TerrainNode>(&node);
   QCOMPARE(node.name, std::string("new"));
   QCOMPARE(terrain.source, std::string("/tmp/new.asc"));
   QCOMPARE(terrain.credit, std::string("New survey"));
