@@ -13,11 +13,20 @@ BenchCase exposureRaytracedCase();
 BenchCase slopeCatchCase();
 BenchCase massCase();
 BenchCase sphSpeedCase();
+BenchCase hydrostaticCase();
+BenchCase poiseuilleCase();
+BenchCase couetteCase();
+BenchCase channelPowerCase();
+BenchCase channelBinghamCase();
+BenchCase channelHerschelCase();
+BenchCase channelCrossCase();
 
 const std::vector<BenchCase>& builtInBenchCases() {
   static const std::vector<BenchCase> cases = {
-      terminalSpeedCase(), sizeSpectrumCase(), exposureEdgeCase(), exposureRaytracedCase(),
-      slopeCatchCase(),    massCase(),         sphSpeedCase(),
+      terminalSpeedCase(),   sizeSpectrumCase(), exposureEdgeCase(), exposureRaytracedCase(),
+      slopeCatchCase(),      massCase(),         sphSpeedCase(),     hydrostaticCase(),
+      poiseuilleCase(),      couetteCase(),      channelPowerCase(), channelBinghamCase(),
+      channelHerschelCase(), channelCrossCase(),
   };
   return cases;
 }
