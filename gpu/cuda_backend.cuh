@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <cstring>
+#include <type_traits>
 #include <vector>
 
 #include "core/base/check.h"
@@ -14,6 +16,7 @@
 #include "gpu/cuda_stage_timer.cuh"
 #include "gpu/device_array.cuh"
 #include "gpu/for_each_kernel.cuh"
+#include "gpu/pinned_memory.cuh"
 
 /// The backend concept of core/base/parallel.h on a CUDA card. Kernels are the same trivially copyable
 /// structs with a SPIN_HD operator()(i). No CUDA type leaves gpu/.
@@ -61,7 +64,8 @@ class CudaBackend {
 
   StageTimings& timings() { return m_timer.timings(); }
   std::size_t scratchBytes() const {
-    return m_scratch.size() + (m_iota.size() + m_sortedKeys.size()) * sizeof(std::uint32_t);
+    return m_scratch.size() + m_partial.size() +
+           (m_iota.size() + m_sortedKeys.size()) * sizeof(std::uint32_t);
   }
 
   template <class T>
@@ -91,17 +95,22 @@ class CudaBackend {
   T reduce(const char* name, std::size_t n, T initial, const Map& map, const Combine& combine) {
     const std::size_t chunks = (n + kReduceChunk - 1) / kReduceChunk;
     if (chunks == 0) return initial;
-    Array<T> partial;
-    partial.resize(chunks);
+    static_assert(std::is_trivially_copyable_v<T>);
+    const std::size_t bytes = chunks * sizeof(T);
+    m_partial.resize(bytes);
     m_timer.measure(name, [&] {
-      reduceKernel<256>
-          <<<static_cast<unsigned>(chunks), 256>>>(n, kReduceChunk, initial, map, combine, partial.data());
+      reduceKernel<256><<<static_cast<unsigned>(chunks), 256>>>(n, kReduceChunk, initial, map, combine,
+                                                                reinterpret_cast<T*>(m_partial.data()));
     });
     cudaRequire(cudaGetLastError(), name);
-    std::vector<T> values;
-    download(partial, values);
+    unsigned char* values = m_received.atLeast(bytes);
+    cudaRequire(cudaMemcpy(values, m_partial.data(), bytes, cudaMemcpyDeviceToHost), name);
     T total = initial;
-    for (const T& value : values) total = combine(total, value);
+    for (std::size_t c = 0; c < chunks; ++c) {
+      T value = initial;
+      std::memcpy(&value, values + c * sizeof(T), sizeof(T));
+      total = combine(total, value);
+    }
     return total;
   }
 
@@ -142,7 +151,8 @@ class CudaBackend {
   }
 
   CudaStageTimer m_timer;
-  Array<unsigned char> m_scratch;
+  Array<unsigned char> m_scratch, m_partial;
+  PinnedMemory m_received;
   Array<std::uint32_t> m_iota, m_sortedKeys;
 };
 

@@ -195,6 +195,12 @@ struct LimitsOf {
   }
 };
 
+/// The nearest whole number, ties to even, of |x| < 2^22: rintf() without SSE 4.1 is a call.
+SPIN_HD_INLINE float nearestWhole(float x) {
+  constexpr float kShift = 12582912.0f;  // 1.5 * 2^23: a float has no fraction there
+  return (x + kShift) - kShift;
+}
+
 /// Velocity from the accelerations and the walls, then position from the new velocity (semi-implicit Euler;
 /// with velocities half a step behind it is the leap-frog). `kick` is the time that velocities advance by,
 /// timeStep that of positions.
@@ -272,8 +278,9 @@ struct IntegrateKernel {
     const float limit = 0.5f * static_cast<float>(kCellUnits);
     const float units = minimum(maximum(displacement * unitsPerMetre, -limit), limit) +
                         static_cast<float>(rest) * (1.0f / kRest);
-    const float whole = rintf(units);
-    rest = static_cast<std::int16_t>(minimum(maximum(rintf((units - whole) * kRest), -32767.0f), 32767.0f));
+    const float whole = nearestWhole(units);
+    rest = static_cast<std::int16_t>(
+        minimum(maximum(nearestWhole((units - whole) * kRest), -32767.0f), 32767.0f));
     position += static_cast<std::int32_t>(whole);
     const std::int32_t period = periodCells << kCellBits;
     if (period > 0) position += position < 0 ? period : position >= period ? -period : 0;
