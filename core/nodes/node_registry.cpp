@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/nodes/camera_node.h"
+#include "core/nodes/flow_nodes.h"
 #include "core/nodes/ground_nodes.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
@@ -13,10 +14,11 @@
 namespace spin {
 
 std::span<const NodeType* const> nodeTypes() {
-  static constexpr std::array<const NodeType*, 9> kTypes{
-      &kTerrainType,   &kModelType,    &kGroundTypeLayerType, &kGroundTemperatureLayerType,
-      &kWeatherType,   &kSnowfallType, &kCameraType,          &kRenderType,
-      &kSimulationType};
+  static constexpr std::array<const NodeType*, 15> kTypes{
+      &kTerrainType,  &kModelType,     &kGroundTypeLayerType,  &kGroundTemperatureLayerType,
+      &kWeatherType,  &kSnowfallType,  &kAvalancheReleaseType, &kWaterSourceType,
+      &kFlowSinkType, &kRigidBodyType, &kFlowMaterialType,     &kFlowSettingsType,
+      &kCameraType,   &kRenderType,    &kSimulationType};
   return kTypes;
 }
 
@@ -24,6 +26,11 @@ const NodeType* findNodeType(std::string_view id) {
   for (const NodeType* type : nodeTypes())
     if (id == type->id) return type;
   return nullptr;
+}
+
+bool isPaintedType(const NodeType& type) {
+  return &type == &kGroundTypeLayerType || &type == &kGroundTemperatureLayerType ||
+         &type == &kAvalancheReleaseType;
 }
 
 }  // namespace spin

@@ -14,4 +14,7 @@ std::span<const NodeType* const> nodeTypes();
 /// nullptr if there is none.
 const NodeType* findNodeType(std::string_view id);
 
+/// Whether its nodes carry a painted layer of the terrain's size (SceneNode::painted).
+bool isPaintedType(const NodeType& type);
+
 }  // namespace spin

@@ -16,6 +16,8 @@ namespace {
 
 /// Longest text a property takes; a caption or a path is far shorter.
 constexpr std::size_t kMaxTextBytes = 4096;
+/// An outline drawn by hand has a few dozen corners, one from a map a few thousand.
+constexpr std::size_t kMaxPoints = 10'000;
 
 bool hasRange(const PropertyInfo& property) {
   return property.min < property.max;
@@ -35,6 +37,8 @@ const char* kindName(PropertyKind kind) {
       return "three numbers (linear red, green, blue)";
     case PropertyKind::Choice:
       return "one of the listed words";
+    case PropertyKind::Points:
+      return "points, each of two numbers, parted by ';'";
     case PropertyKind::Text:
       return "a text";
     case PropertyKind::Path:
@@ -55,6 +59,8 @@ bool rightAlternative(PropertyKind kind, const Value& value) {
     case PropertyKind::Vector:
     case PropertyKind::Colour:
       return std::holds_alternative<Vec3d>(value);
+    case PropertyKind::Points:
+      return std::holds_alternative<PlanPoints>(value);
     case PropertyKind::Text:
     case PropertyKind::Path:
       return std::holds_alternative<std::string>(value);
@@ -99,6 +105,16 @@ Status checkText(const PropertyInfo& property, const std::string& text) {
   return {};
 }
 
+Status checkPoints(const PropertyInfo& property, const Value& value) {
+  const PlanPoints& points = std::get<PlanPoints>(value);
+  if (points.size() > kMaxPoints)
+    return refused(property, toText(value), fmt::format("there are more than {} points", kMaxPoints), {});
+  for (const Vec2d& point : points)
+    for (const double number : {point.x, point.y})
+      if (Status status = checkNumber(property, number, value); !status) return status;
+  return {};
+}
+
 Result<Value> readChoice(const PropertyInfo& property, std::string_view word) {
   std::vector<std::string_view> ids;
   for (const Choice& choice : property.choices) ids.push_back(choice.id);
@@ -130,6 +146,11 @@ Result<Value> readValue(const PropertyInfo& property, std::string_view text) {
     case PropertyKind::Colour:
       if (parseVector(text, vector)) return Value(vector);
       break;
+    case PropertyKind::Points: {
+      PlanPoints points;
+      if (parsePoints(text, points)) return Value(std::move(points));
+      break;
+    }
     case PropertyKind::Text:
     case PropertyKind::Path:
       return Value(std::string(text));
@@ -172,6 +193,8 @@ Status validate(const PropertyInfo& property, const Value& value) {
         if (Status status = checkNumber(property, vector[axis], value); !status) return status;
       return {};
     }
+    case PropertyKind::Points:
+      return checkPoints(property, value);
     case PropertyKind::Text:
     case PropertyKind::Path:
       return checkText(property, std::get<std::string>(value));

@@ -34,11 +34,12 @@ struct PropertyInfo {
   const char* label = "";
   PropertyKind kind = PropertyKind::Real;
   Unit unit = Unit::None;
-  double min = 0.0, max = 0.0, step = 0.0;  ///< SI; for Int, Real and each component of Vector
+  double min = 0.0, max = 0.0, step = 0.0;  ///< SI; for Int, Real and each component of Vector and Points
   bool animatable = false;
   Affects affects = Affects::Both;
   const char* doc = "";
   std::span<const Choice> choices{};
+  const char* refersTo = nullptr;  ///< for Text: it is the id of a node of this type, or empty
   Value (*get)(const NodeData&) = nullptr;
   void (*set)(NodeData&, const Value&) = nullptr;  ///< expects the right alternative and range
 };
@@ -91,6 +92,8 @@ constexpr PropertyKind kindOf() {
     return PropertyKind::Real;
   else if constexpr (std::is_same_v<T, Vec3d>)
     return PropertyKind::Vector;
+  else if constexpr (std::is_same_v<T, PlanPoints>)
+    return PropertyKind::Points;
   else
     return PropertyKind::Text;
 }
@@ -131,6 +134,11 @@ struct PropertyRow : PropertyInfo {
   constexpr PropertyRow path() const {
     auto r = *this;
     r.kind = PropertyKind::Path;
+    return r;
+  }
+  constexpr PropertyRow naming(const char* nodeTypeId) const {
+    auto r = *this;
+    r.refersTo = nodeTypeId;
     return r;
   }
   constexpr PropertyRow oneOf(std::span<const Choice> list) const {

@@ -75,6 +75,24 @@ bool parseVector(std::string_view text, Vec3d& vector) {
   return text.empty();
 }
 
+bool parsePoints(std::string_view text, PlanPoints& points) {
+  points.clear();
+  if (trimmed(text).empty()) return true;
+  while (true) {
+    const std::size_t end = text.find(';');
+    const std::string_view point = trimmed(text.substr(0, end));
+    const std::size_t gap = point.find_first_of(" \t,");
+    if (gap == std::string_view::npos) return false;
+    std::string_view second = trimmed(point.substr(gap));
+    if (!second.empty() && second.front() == ',') second = trimmed(second.substr(1));
+    Vec2d read;
+    if (!parseReal(point.substr(0, gap), read.x) || !parseReal(second, read.y)) return false;
+    points.push_back(read);
+    if (end == std::string_view::npos) return true;
+    text.remove_prefix(end + 1);
+  }
+}
+
 bool isCleanText(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = sequenceLength(text);

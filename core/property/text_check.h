@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/math/vec.h"
+#include "core/property/value.h"
 
 namespace spin {
 
@@ -18,6 +19,8 @@ bool parseInteger(std::string_view text, std::int64_t& number);
 bool parseReal(std::string_view text, double& number);
 /// Three reals separated by blanks or commas.
 bool parseVector(std::string_view text, Vec3d& vector);
+/// Points of two reals each (separated by blanks or commas), parted by ';'; no points from an empty text.
+bool parsePoints(std::string_view text, PlanPoints& points);
 
 /// Well-formed UTF-8 (RFC 3629) without control characters; tabs and line ends count as such.
 bool isCleanText(std::string_view text);

@@ -34,6 +34,16 @@ UnitInfo unitInfo(Unit unit) {
       return {"px", 1.0, 0.0};
     case Unit::Byte:
       return {"MiB", 1.0 / (1024.0 * 1024.0), 0.0};
+    case Unit::SquareMetrePerSecond:
+      return {"m\u00b2/s", 1.0, 0.0};
+    case Unit::CubicMetrePerSecond:
+      return {"m\u00b3/s", 1.0, 0.0};
+    case Unit::PascalSecond:
+      return {"Pa s", 1.0, 0.0};
+    case Unit::Pascal:
+      return {"Pa", 1.0, 0.0};
+    case Unit::PerMetre:
+      return {"1/m", 1.0, 0.0};
   }
   SPIN_CHECK(false, "unit without a row");
 }
@@ -49,6 +59,11 @@ struct TextOf {
     return fmt::format("{} {} {}", value.x, value.y, value.z);
   }
   std::string operator()(const std::string& value) const { return value; }
+  std::string operator()(const PlanPoints& value) const {
+    std::string text;
+    for (const Vec2d& p : value) text += fmt::format("{}{} {}", text.empty() ? "" : "; ", p.x, p.y);
+    return text;
+  }
 };
 
 }  // namespace

@@ -5,16 +5,20 @@
 #include <cstdint>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/math/vec.h"
 
 namespace spin {
 
+/// Points in plan: local metres east and north, such as the corners of an area.
+using PlanPoints = std::vector<Vec2d>;
+
 /// What a property holds. Enumerations are std::int64_t, colours Vec3d (linear RGB), paths std::string with
 /// '/'.
-using Value = std::variant<bool, std::int64_t, double, Vec3d, std::string>;
+using Value = std::variant<bool, std::int64_t, double, Vec3d, std::string, PlanPoints>;
 
-enum class PropertyKind { Bool, Int, Real, Vector, Colour, Choice, Text, Path };
+enum class PropertyKind { Bool, Int, Real, Vector, Colour, Choice, Points, Text, Path };
 
 /// Units at the user's edge. Values are stored and computed in SI; displayed = si * scale + offset.
 enum class Unit {
@@ -30,6 +34,11 @@ enum class Unit {
   Factor,
   Pixel,
   Byte,
+  SquareMetrePerSecond,
+  CubicMetrePerSecond,
+  PascalSecond,
+  Pascal,
+  PerMetre,
 };
 
 struct UnitInfo {
@@ -45,7 +54,8 @@ inline double fromDisplay(Unit unit, double shown) {
   return (shown - unitInfo(unit).offset) / unitInfo(unit).scale;
 }
 
-/// Text form for the command line and messages: "true", "3", "0.25", "1 2 3", text as is. Reals round-trip.
+/// Text form for the command line and messages: "true", "3", "0.25", "1 2 3", points as "1 2; 3 4", text as
+/// is. Reals round-trip.
 std::string toText(const Value& value);
 
 }  // namespace spin

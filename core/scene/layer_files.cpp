@@ -8,7 +8,9 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/nodes/flow_nodes.h"
 #include "core/nodes/ground_nodes.h"
+#include "core/nodes/node_registry.h"
 #include "core/scene/asset_file.h"
 #include "core/scene/collect_files.h"
 
@@ -70,6 +72,16 @@ Status checkLayer(const SceneNode& node, const PaintedLayer& layer) {
       return unusable(node, fmt::format("{} K is no temperature of the ground", bad));
     return {};
   }
+  if (node.as<AvalancheReleaseNode>()) {
+    const auto* area = std::get_if<TiledRaster<std::uint8_t>>(&layer);
+    if (!area) return unusable(node, "it has no whole numbers from 0 to 255");
+    std::uint8_t bad = 0;
+    const auto good = [](std::uint8_t v) { return v == kReleasePainted || v == kReleaseUnpainted; };
+    if (!everyCell(*area, good, bad))
+      return unusable(node, fmt::format("{} is neither {} (released) nor {} (not painted)", bad,
+                                        kReleasePainted, kReleaseUnpainted));
+    return {};
+  }
   return unusable(node, "this node is not painted on");
 }
 
@@ -78,9 +90,9 @@ Status loadPaintedLayers(Scene& scene, const std::string& sceneFile, AssetReader
                          const CancelToken& cancel) {
   for (const SceneNode& listed : scene.nodes()) {
     SceneNode& node = *scene.find(listed.id);
-    const bool isLayer = node.as<GroundTypeLayerNode>() || node.as<GroundTemperatureLayerNode>();
     const std::string source = sourceOf(node);
-    if (!isLayer || source.empty() || !std::holds_alternative<std::monostate>(node.painted)) continue;
+    if (!isPaintedType(*node.type) || source.empty() || !std::holds_alternative<std::monostate>(node.painted))
+      continue;
     const Result<FoundAsset> found = findAsset(sceneFile, source, policy, {});
     Result<PaintedLayer> layer =
         found ? reader.readLayer(found->path, cancel) : Result<PaintedLayer>(found.error());

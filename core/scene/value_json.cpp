@@ -38,6 +38,19 @@ Result<Value> vectorFromJson(const PropertyInfo& property, const JsonValue& json
   return Value(Vec3d{parts[0], parts[1], parts[2]});
 }
 
+Result<Value> pointsFromJson(const PropertyInfo& property, const JsonValue& json, const std::string& where) {
+  constexpr const char* kExpected = "an array of points, each an array of two numbers";
+  if (!json.is(Kind::Array)) return wrongKind(property, json, where, kExpected);
+  PlanPoints points;
+  for (const JsonValue& item : json.items) {
+    if (!item.is(Kind::Array) || item.items.size() != 2 || !item.items[0].is(Kind::Number) ||
+        !item.items[1].is(Kind::Number))
+      return wrongKind(property, item, where, kExpected);
+    points.push_back({item.items[0].number, item.items[1].number});
+  }
+  return Value(std::move(points));
+}
+
 /// The right alternative, range unchecked; choices are complete.
 Result<Value> rawValue(const PropertyInfo& property, const JsonValue& json, const std::string& where) {
   switch (property.kind) {
@@ -58,6 +71,8 @@ Result<Value> rawValue(const PropertyInfo& property, const JsonValue& json, cons
     case PropertyKind::Choice:
       if (!json.is(Kind::Text)) return wrongKind(property, json, where, "one of the listed words");
       return parseValue(property, json.text);
+    case PropertyKind::Points:
+      return pointsFromJson(property, json, where);
     case PropertyKind::Text:
     case PropertyKind::Path:
       if (!json.is(Kind::Text)) return wrongKind(property, json, where, "a text");
@@ -116,6 +131,12 @@ JsonValue toJson(const PropertyInfo& property, const Value& value) {
     }
     case PropertyKind::Choice:
       return JsonValue::of(toText(property, value));
+    case PropertyKind::Points: {
+      JsonValue points = JsonValue::array();
+      for (const Vec2d& p : std::get<PlanPoints>(value))
+        points.items.push_back(JsonValue::array({JsonValue::of(p.x), JsonValue::of(p.y)}));
+      return points;
+    }
     case PropertyKind::Text:
     case PropertyKind::Path:
       return JsonValue::of(std::get<std::string>(value));

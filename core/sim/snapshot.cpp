@@ -17,6 +17,10 @@ void addValue(Hasher& hasher, const Value& value) {
   if (const auto* real = std::get_if<double>(&value)) hasher.add(*real);
   if (const auto* vector = std::get_if<Vec3d>(&value)) hasher.add(vector->x).add(vector->y).add(vector->z);
   if (const auto* text = std::get_if<std::string>(&value)) hasher.add(std::string_view(*text));
+  if (const auto* points = std::get_if<PlanPoints>(&value)) {
+    hasher.add(static_cast<std::uint64_t>(points->size()));
+    for (const Vec2d& p : *points) hasher.add(p.x).add(p.y);
+  }
 }
 
 /// Tiles that were never painted share one buffer, so each distinct buffer is hashed once.

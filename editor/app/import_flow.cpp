@@ -8,7 +8,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
-#include "core/nodes/ground_nodes.h"
+#include "core/nodes/node_registry.h"
 #include "core/nodes/terrain_node.h"
 #include "core/scene/collect_files.h"
 #include "editor/app/import_dialog.h"
@@ -20,8 +20,7 @@ namespace {
 QStringList paintedLayers(const Scene& scene) {
   QStringList names;
   for (const SceneNode& node : scene.nodes())
-    if (node.as<GroundTypeLayerNode>() || node.as<GroundTemperatureLayerNode>())
-      names << QStringLiteral("\"%1\"").arg(QString::fromStdString(node.name));
+    if (isPaintedType(*node.type)) names << QStringLiteral("\"%1\"").arg(QString::fromStdString(node.name));
   return names;
 }
 

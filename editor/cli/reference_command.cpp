@@ -22,6 +22,8 @@ const char* kindText(PropertyKind kind) {
       return "colour, linear RGB";
     case PropertyKind::Choice:
       return "choice";
+    case PropertyKind::Points:
+      return "points `x y; x y; ...`";
     case PropertyKind::Text:
       return "text";
     case PropertyKind::Path:
@@ -55,6 +57,16 @@ std::string unitText(const PropertyInfo& property) {
       return "pixel";
     case Unit::Byte:
       return "byte";
+    case Unit::SquareMetrePerSecond:
+      return "m2/s";
+    case Unit::CubicMetrePerSecond:
+      return "m3/s";
+    case Unit::PascalSecond:
+      return "Pa s";
+    case Unit::Pascal:
+      return "Pa";
+    case Unit::PerMetre:
+      return "1/m";
   }
   return "";
 }
@@ -81,7 +93,8 @@ std::string valuesText(const PropertyInfo& property) {
     return list;
   }
   const bool ranged = property.kind == PropertyKind::Int || property.kind == PropertyKind::Real ||
-                      property.kind == PropertyKind::Vector;
+                      property.kind == PropertyKind::Vector || property.kind == PropertyKind::Points;
+  if (property.refersTo) return fmt::format("id of a `{}`", property.refersTo);
   if (!ranged || property.min == property.max) return kindText(property.kind);
   return fmt::format("{}, {:g} to {:g}", kindText(property.kind), property.min, property.max);
 }

@@ -9,7 +9,7 @@
 #include <QThreadPool>
 #include <algorithm>
 
-#include "core/nodes/ground_nodes.h"
+#include "core/nodes/node_registry.h"
 #include "core/nodes/terrain_node.h"
 #include "editor/document/save_job.h"
 #include "editor/document/scene_checks.h"
@@ -30,8 +30,8 @@ PathPolicy storedPolicy() {
 
 bool hasUnreadLayers(const Scene& scene) {
   return std::any_of(scene.nodes().begin(), scene.nodes().end(), [](const SceneNode& node) {
-    const bool isLayer = node.as<GroundTypeLayerNode>() || node.as<GroundTemperatureLayerNode>();
-    return isLayer && std::holds_alternative<std::monostate>(node.painted) && !sourceOf(node).empty();
+    return isPaintedType(*node.type) && std::holds_alternative<std::monostate>(node.painted) &&
+           !sourceOf(node).empty();
   });
 }
 

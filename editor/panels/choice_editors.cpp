@@ -130,6 +130,31 @@ PathEditor::PathEditor(SceneDocument* document, QWidget* parent)
   connect(new FieldKeys(m_line), &FieldKeys::entered, this, &ValueEditor::entered);
 }
 
+PointsEditor::PointsEditor(const PropertyInfo& property, QWidget* parent)
+    : ValueEditor(parent), m_property(property), m_line(new QLineEdit(this)) {
+  m_line->setObjectName(QStringLiteral("points"));
+  m_line->setPlaceholderText(tr("east north; east north; ..."));
+  rowLayout(this)->addWidget(m_line, 1);
+  setFocusProxy(m_line);
+  connect(m_line, &QLineEdit::editingFinished, this, &PointsEditor::take);
+  connect(new FieldKeys(m_line), &FieldKeys::entered, this, &ValueEditor::entered);
+}
+
+void PointsEditor::take() {
+  if (!m_line->isModified()) return;
+  m_line->setModified(false);
+  const Result<Value> read = parseValue(m_property, m_line->text().toStdString());
+  if (read)
+    Q_EMIT edited(*read, false);
+  else
+    m_line->setText(m_shown);
+}
+
+void PointsEditor::show(const Value& value) {
+  m_shown = QString::fromStdString(toText(m_property, value));
+  if (m_shown != m_line->text()) m_line->setText(m_shown);
+}
+
 void PathEditor::show(const Value& value) {
   const QString text = QString::fromStdString(std::get<std::string>(value));
   if (text != m_line->text()) m_line->setText(text);
@@ -162,6 +187,8 @@ ValueEditor* makeValueEditor(const PropertyInfo& property, SceneDocument* docume
       return new ColourEditor(parent);
     case PropertyKind::Choice:
       return new ChoiceEditor(property, parent);
+    case PropertyKind::Points:
+      return new PointsEditor(property, parent);
     case PropertyKind::Text:
       return new TextEditor(parent);
     case PropertyKind::Path:

@@ -55,6 +55,21 @@ class TextEditor : public ValueEditor {
   QLineEdit* m_line;
 };
 
+/// Points in plan as text, "x y; x y"; what cannot be read is taken back.
+class PointsEditor : public ValueEditor {
+  Q_OBJECT
+ public:
+  PointsEditor(const PropertyInfo& property, QWidget* parent);
+  void show(const Value& value) override;
+
+ private:
+  void take();
+
+  const PropertyInfo& m_property;
+  QLineEdit* m_line;
+  QString m_shown;
+};
+
 /// A file: its stored path and a button that opens a file dialog. A file chosen there is allowed.
 class PathEditor : public ValueEditor {
   Q_OBJECT

@@ -34,13 +34,16 @@ std::string rowName(const testing::TestParamInfo<Row>& info) {
 Value numberValue(const PropertyInfo& property, double number, int axis = 0) {
   if (property.kind == PropertyKind::Int) return static_cast<std::int64_t>(number);
   if (property.kind == PropertyKind::Real) return number;
+  if (property.kind == PropertyKind::Points)
+    return PlanPoints{{0.0, 0.0}, axis == 0 ? Vec2d{number, 0.0} : Vec2d{0.0, number}};
   const double mid = 0.5 * (property.min + property.max);
   return Vec3d{axis == 0 ? number : mid, axis == 1 ? number : mid, axis == 2 ? number : mid};
 }
 
 bool isNumeric(const PropertyInfo& property) {
   return property.kind == PropertyKind::Int || property.kind == PropertyKind::Real ||
-         property.kind == PropertyKind::Vector || property.kind == PropertyKind::Colour;
+         property.kind == PropertyKind::Vector || property.kind == PropertyKind::Colour ||
+         property.kind == PropertyKind::Points;
 }
 
 std::vector<Row> numericRows() {
@@ -86,12 +89,12 @@ TEST_P(PropertyRowTest, AwkwardValuesRoundTripAsText) {
     const double third = property().min + (property().max - property().min) / 3.0;
     for (int axis = 0; axis < 3; ++axis)
       for (double number : {property().min, property().max, third})
-        values.push_back(numberValue(property(), number, axis));
+        values.emplace_back(numberValue(property(), number, axis));
   } else if (property().kind == PropertyKind::Bool) {
     values = {true, false};
   } else if (property().kind == PropertyKind::Choice) {
     for (std::size_t i = 0; i < property().choices.size(); ++i)
-      values.push_back(static_cast<std::int64_t>(i));
+      values.emplace_back(static_cast<std::int64_t>(i));
   } else {
     values = {std::string(), std::string("a b/\"c\".tif"), std::string("Schn\u00ee, \u96ea")};
   }
@@ -108,7 +111,8 @@ TEST_P(PropertyRowTest, AwkwardValuesRoundTripAsText) {
 TEST_P(NumericRowTest, BeyondTheRangeIsRefusedByName) {
   const double beyond = property().kind == PropertyKind::Int ? 1.0 : 1e-6 * (property().max - property().min);
   const bool vector = property().kind == PropertyKind::Vector || property().kind == PropertyKind::Colour;
-  for (int axis = 0; axis < (vector ? 3 : 1); ++axis)
+  const int axes = vector ? 3 : property().kind == PropertyKind::Points ? 2 : 1;
+  for (int axis = 0; axis < axes; ++axis)
     for (double number : {property().min - beyond, property().max + beyond}) {
       const Status status = validate(property(), numberValue(property(), number, axis));
       ASSERT_FALSE(status.ok()) << number;
@@ -119,12 +123,19 @@ TEST_P(NumericRowTest, BeyondTheRangeIsRefusedByName) {
 }
 
 TEST_P(PropertyRowTest, NotANumberIsRefused) {
-  if (property().kind == PropertyKind::Real || property().kind == PropertyKind::Vector) {
+  if (isNumeric(property()) && property().kind != PropertyKind::Int) {
     EXPECT_FALSE(validate(property(), numberValue(property(), std::nan(""))).ok());
     EXPECT_FALSE(
         validate(property(), numberValue(property(), std::numeric_limits<double>::infinity(), 1)).ok());
   }
   if (property().kind >= PropertyKind::Text) return;
+  if (property().kind == PropertyKind::Points) {
+    for (const char* text : {"nan 1", "1", "1 2 3", "1 2;", ";", "1 2; 3", "1,,2", "1 1e999", "a b"})
+      EXPECT_FALSE(parseValue(property(), text).ok()) << text;
+    for (const char* text : {"", " ", "1 2", "1,2;3,4", " -1.5  2e3 ; 0,\t1 "})
+      EXPECT_TRUE(parseValue(property(), text).ok()) << text;
+    return;
+  }
   for (const char* text :
        {"", "nan", "1e999", "inf", "0x10", "12 apples", "1,5", "99999999999999999999", "1 2"}) {
     EXPECT_FALSE(parseValue(property(), text).ok()) << text;
@@ -132,7 +143,7 @@ TEST_P(PropertyRowTest, NotANumberIsRefused) {
 }
 
 TEST_P(PropertyRowTest, WrongKindIsRefused) {
-  const std::vector<Value> samples{true, std::int64_t{0}, 0.5, Vec3d{}, std::string("x")};
+  const std::vector<Value> samples{true, std::int64_t{0}, 0.5, Vec3d{}, std::string("x"), PlanPoints{{1, 2}}};
   const std::size_t right = defaultValue(type(), property()).index();
   for (const Value& value : samples)
     EXPECT_EQ(validate(property(), value).ok() && value.index() != right, false) << value.index();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "core/nodes/flow_nodes.h"
 #include "core/nodes/ground_nodes.h"
 #include "core/nodes/node_registry.h"
 #include "tests/core/snow/snow_test_scene.h"
@@ -27,6 +28,11 @@ SceneSnapshot fullScene() {
 Value changed(const PropertyRow& row, const Value& value) {
   if (const auto* flag = std::get_if<bool>(&value)) return !*flag;
   if (const auto* text = std::get_if<std::string>(&value)) return *text + "x";
+  if (const auto* points = std::get_if<PlanPoints>(&value)) {
+    PlanPoints more = *points;
+    more.push_back({1.0, 2.0});
+    return more;
+  }
   if (row.kind == PropertyKind::Choice) return std::int64_t{std::get<std::int64_t>(value) == 0};
   const auto other = [&](double v) { return v + row.step <= row.max ? v + row.step : v - row.step; };
   if (const auto* integer = std::get_if<std::int64_t>(&value))
@@ -39,9 +45,13 @@ std::vector<Hash128> keysOf(const SceneSnapshot& scene) {
   return frameKeys(scene, Pipeline::compile(scene), "cpu", 3);
 }
 
-/// Ground types and temperatures enter with the melting of snow: no process of this pipeline reads them.
+/// Ground types and temperatures enter with the melting of snow, flow with its own process: no process of
+/// this pipeline reads them.
 bool isReadByNothing(const SceneNode& node) {
-  return node.type == &kGroundTypeLayerType || node.type == &kGroundTemperatureLayerType;
+  return node.type == &kGroundTypeLayerType || node.type == &kGroundTemperatureLayerType ||
+         node.type == &kAvalancheReleaseType || node.type == &kWaterSourceType ||
+         node.type == &kFlowSinkType || node.type == &kRigidBodyType || node.type == &kFlowMaterialType ||
+         node.type == &kFlowSettingsType;
 }
 
 TEST(FrameKeys, ChangeWithEveryPropertyThatAffectsTheSimulationAndNoOther) {
