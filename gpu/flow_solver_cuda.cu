@@ -12,8 +12,10 @@ template class FlowSolverOn<CudaBackend>;
 Result<std::unique_ptr<FlowSolver>> makeFlowSolverCuda(const FlowConfig& config) {
   if (!cudaAvailable()) return cudaDevice().error();
   if (const Status ok = checkFlowConfig(config); !ok) return ok.error();
+  FlowConfig ready = config;
+  if (const Status ok = makeMeshFields(ready, 0); !ok) return ok.error();
   return Result<std::unique_ptr<FlowSolver>>(
-      std::make_unique<FlowSolverOn<CudaBackend>>(config, CudaBackend{}, FlowPasses<CudaBackend>{}));
+      std::make_unique<FlowSolverOn<CudaBackend>>(ready, CudaBackend{}, FlowPasses<CudaBackend>{}));
 }
 
 }  // namespace spin

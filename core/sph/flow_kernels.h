@@ -243,7 +243,21 @@ struct IntegrateKernel {
       velocity.y += kick * push * w.ny;
       velocity.z += kick * push * w.nz;
       rub(w, s, push, r, velocity);
+      hold(w, c.material[v.extra[i].material].soundSpeed, velocity);
     });
+  }
+
+  /// No particle goes into a solid within the step, however little the pressure of a single one resists; one
+  /// that is inside comes out slowly.
+  SPIN_HD_INLINE void hold(const WallContact& w, float soundSpeed, PairVector<float>& velocity) const {
+    const FlowConstants& c = v.constants;
+    const float way = kClosestToWall * c.spacing - w.distance;
+    const float out = way > 0.0f ? minimum(0.2f * way / c.timeStep, 0.01f * soundSpeed) : way / c.timeStep;
+    const float normal = (velocity.x - w.vx) * w.nx + (velocity.y - w.vy) * w.ny + (velocity.z - w.vz) * w.nz;
+    const float more = maximum(out - normal, 0.0f);
+    velocity.x += more * w.nx;
+    velocity.y += more * w.ny;
+    velocity.z += more * w.nz;
   }
 
   SPIN_HD_INLINE void rub(const WallContact& w, float s, float push, const PairRecord& r,
@@ -299,12 +313,12 @@ struct IntegrateKernel {
       velocity.y += pull * u.y;
       velocity.z += pull * u.z;
     }
-    if (v.extra[i].flags & kNearWall) actWalls(i, velocity);
     if (v.sx) {
       velocity.x += v.sx[i];
       velocity.y += v.sy[i];
       velocity.z += v.sz[i];
     }
+    if (v.extra[i].flags & kNearWall) actWalls(i, velocity);
     r.vx = velocity.x;
     r.vy = velocity.y;
     r.vz = velocity.z;

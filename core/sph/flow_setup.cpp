@@ -62,6 +62,8 @@ Status checkWalls(const FlowWallsConfig& walls) {
     if (!isFinite(plane.point) || !isFinite(plane.velocity) || !(length(plane.normal) > 0.0) ||
         !isFinite(plane.normal) || plane.surface >= walls.surfaces.size())
       return badConfig("planes", "a plane has no direction, no place or no surface");
+  for (const auto& mesh : walls.meshes)
+    if (mesh.surface >= walls.surfaces.size()) return badConfig("meshes", "a mesh has no surface");
   const Raster<std::uint8_t>& kinds = walls.groundSurfaces;
   if (!kinds.empty() && !walls.ground.hasShapeOf(kinds))
     return badConfig("groundSurfaces", "another shape than the ground");
@@ -151,6 +153,26 @@ Status checkFlowConfig(const FlowConfig& c) {
   for (int axis = 0; axis < 3; ++axis)
     if (Status ok = checkAxis(c, axis); !ok) return ok;
   return checkWalls(c.walls);
+}
+
+Status makeMeshFields(FlowConfig& c, int threads, const CancelToken& cancel) {
+  for (auto& mesh : c.walls.meshes) {
+    if (mesh.field && mesh.field->reach() < c.support() * 0.999)
+      return badConfig("meshes", "a field does not reach as far as the support");
+    if (mesh.field) continue;
+    SignedDistanceOptions options;
+    options.cell = 0.5 * c.spacing;
+    options.reach = c.support();
+    // Particles on both sides of a plate of one spacing are two supports of the fast mode apart.
+    options.leastThickness = c.spacing;
+    options.threads = threads;
+    options.cancel = cancel;
+    auto field = SignedDistance::make(mesh.triangles, options);
+    if (!field) return field.error();
+    mesh.field = std::move(*field);
+    mesh.triangles = {};
+  }
+  return {};
 }
 
 FlowView flowView(const FlowConfig& c) {

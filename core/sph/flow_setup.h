@@ -11,7 +11,9 @@ namespace spin {
 
 /// Every value in range, the box not empty, periodic lengths whole, no more cells than positions can say.
 Status checkFlowConfig(const FlowConfig& config);
-/// Constants, walls without the ground's arrays, domain and periods.
+/// Makes the signed distance of every mesh among the walls that has none; drops its triangles.
+Status makeMeshFields(FlowConfig& config, int threads, const CancelToken& cancel = {});
+/// Constants, walls without the arrays of ground and meshes, domain and periods.
 FlowView flowView(const FlowConfig& config);
 /// Whether any material needs the shear rate.
 bool needsShearRate(const FlowConfig& config);

@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/base/timings.h"
 #include "core/fields/raster.h"
+#include "core/fields/signed_distance.h"
 #include "core/math/vec.h"
 #include "core/physics/rheology.h"
 #include "core/sph/wall_view.h"
@@ -33,7 +34,15 @@ struct FlowWallsConfig {
     Vec3d velocity{};       ///< m/s
     std::uint8_t surface = 0;
   };
+  /// A static mesh: triangles in world metres, of which the solver makes a field that suits its spacing, or
+  /// a field that is there already.
+  struct MeshWall {
+    TriangleMesh triangles;
+    std::shared_ptr<const SignedDistance> field;  ///< null = made from the triangles; reach >= support
+    std::uint8_t surface = 0;
+  };
   std::vector<Plane> planes;             ///< kMostPlanes at most
+  std::vector<MeshWall> meshes;          ///< solid inside where closed, else sheets
   Raster<float> ground;                  ///< heights, m; NaN = no ground; empty = none
   Raster<std::uint8_t> groundSurfaces;   ///< same shape; empty = surface 0
   std::vector<WallSurface> surfaces{1};  ///< kMostSurfaces at most

@@ -28,8 +28,10 @@ struct FlowPasses<CpuBackend> {
 
 Result<std::unique_ptr<FlowSolver>> makeFlowSolverCpu(const FlowConfig& config, int threads, Isa isa) {
   if (const Status ok = checkFlowConfig(config); !ok) return ok.error();
+  FlowConfig ready = config;
+  if (const Status ok = makeMeshFields(ready, threads); !ok) return ok.error();
   std::unique_ptr<FlowSolver> solver = std::make_unique<FlowSolverOn<CpuBackend>>(
-      config, CpuBackend(threads), FlowPasses<CpuBackend>{flowLoopsFor(isa)});
+      ready, CpuBackend(threads), FlowPasses<CpuBackend>{flowLoopsFor(isa)});
   return solver;
 }
 

@@ -13,6 +13,7 @@
 
 #include "core/sph/flow_kernels.h"
 #include "core/sph/flow_setup.h"
+#include "core/sph/mesh_walls.h"
 
 namespace spin {
 
@@ -50,6 +51,8 @@ class FlowSolverOn final : public FlowSolver {
       m_backend.upload(heights, m_ground);
       m_backend.upload(config.walls.groundSurfaces.values, m_groundSurfaces);
     }
+    m_meshes.upload(m_backend, config);
+    m_meshes.point(m_view.walls);
   }
 
   Status add(const std::vector<FlowParticle>& particles) override {
@@ -114,7 +117,7 @@ class FlowSolverOn final : public FlowSolver {
               m_otherExcess, m_rate, m_ax, m_ay, m_az) +
            of(m_sx, m_sy, m_sz, m_shear, m_id, m_otherId, m_key, m_otherKey, m_order, m_rows, m_rowBins,
               m_binStart) +
-           of(m_ground, m_groundSurfaces) + m_backend.scratchBytes();
+           of(m_ground, m_groundSurfaces) + m_meshes.bytes() + m_backend.scratchBytes();
   }
 
  private:
@@ -302,6 +305,7 @@ class FlowSolverOn final : public FlowSolver {
   Array<ParticleExtra> m_extra, m_otherExtra;
   Array<float> m_excess, m_otherExcess, m_rate, m_ax, m_ay, m_az, m_sx, m_sy, m_sz, m_shear, m_ground;
   Array<std::uint8_t> m_groundSurfaces;
+  MeshWalls<Backend> m_meshes;
   Array<std::uint32_t> m_id, m_otherId, m_key, m_otherKey, m_order, m_rowBins, m_binStart;
   Array<FlowRow> m_rows;
 };

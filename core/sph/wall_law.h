@@ -15,6 +15,9 @@ namespace spin {
 /// Distance that quotients by it are held to, spacings: particles that touch the wall, or are pressed into
 /// it.
 inline constexpr float kLeastWallDistance = 0.25f;
+/// No step brings a particle nearer to a solid than this, spacings: fields round edges and corners off by as
+/// much.
+inline constexpr float kClosestToWall = 0.1f;
 
 /// Shares of a particle's surroundings that several solids take together: 1 - prod(1 - lambda_k), exact for
 /// planes at right angles up to the kernel's corner, and how much each counts in the sum's gradient.

@@ -6,6 +6,8 @@
 #include <cstdint>
 
 #include "core/base/host_device.h"
+#include "core/fields/height_distance.h"
+#include "core/fields/signed_distance_view.h"
 #include "core/math/scalar_ops.h"
 
 namespace spin {
@@ -37,6 +39,12 @@ struct WallHeights {
   float originX = 0, originY = 0, cell = 1;
 };
 
+/// A static mesh by its signed distance.
+struct WallMesh {
+  SignedDistanceView field;
+  std::uint8_t surface = 0;
+};
+
 /// A plane that stands for the solid near a point.
 struct WallContact {
   float distance = 0;  ///< m along the normal, below 0 inside the solid
@@ -50,6 +58,8 @@ struct WallView {
   WallPlane planes[kMostPlanes];
   std::int32_t planeCount = 0;
   WallHeights ground;
+  const WallMesh* meshes = nullptr;
+  std::int32_t meshCount = 0;
   WallSurface surface[kMostSurfaces];
 
   /// Calls visit(WallContact) for every solid nearer than `reach`, m.
@@ -61,27 +71,28 @@ struct WallView {
       if (distance < reach) visit(WallContact{distance, p.nx, p.ny, p.nz, p.vx, p.vy, p.vz, p.surface});
     }
     if (ground.heights) nearGround(x, y, z, reach, visit);
+    for (std::int32_t k = 0; k < meshCount; ++k) nearMesh(meshes[k], x, y, z, reach, visit);
   }
 
  private:
   template <class Visit>
   SPIN_HD_INLINE void nearGround(float x, float y, float z, float reach, const Visit& visit) const {
-    const float gx = (x - ground.originX) / ground.cell, gy = (y - ground.originY) / ground.cell;
-    if (!(gx >= 0.0f && gy >= 0.0f)) return;
-    const std::int32_t i = static_cast<std::int32_t>(gx), j = static_cast<std::int32_t>(gy);
-    if (i + 1 >= ground.width || j + 1 >= ground.height) return;
-    const float* row =
-        ground.heights + static_cast<std::size_t>(j) * static_cast<std::size_t>(ground.width) + i;
-    const float z00 = row[0], z10 = row[1], z01 = row[ground.width], z11 = row[ground.width + 1];
-    const float u = gx - static_cast<float>(i), v = gy - static_cast<float>(j);
-    const float du = u >= v ? z10 - z00 : z11 - z01, dv = u >= v ? z11 - z10 : z01 - z00;
-    const float sx = du / ground.cell, sy = dv / ground.cell;
-    const float nz = 1.0f / squareRoot(1.0f + sx * sx + sy * sy);
-    const float distance = (z - (z00 + du * u + dv * v)) * nz;
-    // A NaN height fails the comparison: there is no ground.
-    if (!(distance < reach)) return;
-    const std::uint8_t kind = ground.surfaces ? ground.surfaces[row - ground.heights] : std::uint8_t{0};
-    visit(WallContact{distance, -sx * nz, -sy * nz, nz, 0.0f, 0.0f, 0.0f, kind});
+    HeightContact<float> near;
+    if (!nearestGround(ground, x, y, z, reach, near)) return;
+    const std::uint8_t kind = ground.surfaces ? ground.surfaces[near.quad] : std::uint8_t{0};
+    visit(WallContact{near.distance, near.normal.x, near.normal.y, near.normal.z, 0.0f, 0.0f, 0.0f, kind});
+  }
+
+  template <class Visit>
+  SPIN_HD_INLINE static void nearMesh(const WallMesh& mesh, float x, float y, float z, float reach,
+                                      const Visit& visit) {
+    SignedDistanceView::Value at;
+    if (!mesh.field.sample(x, y, z, at) || !(at.distance < reach)) return;
+    const float size = squareRoot(at.x * at.x + at.y * at.y + at.z * at.z);
+    // Deep inside, and on the middle of a thin solid, there is no direction: any leads out.
+    const float scale = size > 1e-3f ? 1.0f / size : 0.0f;
+    visit(WallContact{at.distance, at.x * scale, at.y * scale, scale > 0.0f ? at.z * scale : 1.0f, 0.0f, 0.0f,
+                      0.0f, mesh.surface});
   }
 };
 
