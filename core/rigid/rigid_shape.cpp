@@ -12,7 +12,7 @@ namespace {
 /// Cells of the field along the longest edge of the mesh's box.
 constexpr double kCellsAlong = 32.0;
 /// Contact points along it.
-constexpr double kPointsAlong = 10.0;
+constexpr double kPointsAlong = 20.0;
 
 }  // namespace
 
