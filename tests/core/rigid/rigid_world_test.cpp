@@ -240,9 +240,9 @@ TEST(RigidWorldTest, SleepersWakeWhenHitAndWhenPushed) {
   RigidBodyConfig box = body(cube(), {0, 0, 0.5}), shot = body(ball(), {-8, 0, 3.5});
   shot.start.velocity = {9, 0, 0};
   RigidWorld w = world({box, shot}, floor(), kGravity, 0.1);
-  run(w, 1.0);
+  run(w, 0.7);
   EXPECT_TRUE(w.asleep(0));
-  run(w, 1.5);
+  run(w, 1.8);
   EXPECT_GT(w.states()[0].position.x, 0.05);
   RigidWorld still = world({box}, floor());
   run(still, 1.0);
