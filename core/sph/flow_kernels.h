@@ -59,19 +59,24 @@ struct RowExtentKernel {
   }
 };
 
+/// Number of bins by rank.
 struct RowBinsKernel {
   FlowView v;
   std::uint32_t* bins;
-  SPIN_HD void operator()(std::size_t r) const {
-    const FlowRow& row = v.rows[r];
-    bins[r] = row.lastBin < row.firstBin ? 0u : static_cast<std::uint32_t>(row.lastBin - row.firstBin) + 1u;
+  SPIN_HD void operator()(std::size_t rank) const {
+    const std::int32_t r = v.grid.rowAtRank(static_cast<std::int32_t>(rank));
+    bins[rank] = r < 0 || v.rows[r].lastBin < v.rows[r].firstBin
+                     ? 0u
+                     : static_cast<std::uint32_t>(v.rows[r].lastBin - v.rows[r].firstBin) + 1u;
   }
 };
 
 struct RowStartKernel {
   FlowView v;
   const std::uint32_t* start;
-  SPIN_HD void operator()(std::size_t r) const { v.rows[r].start = start[r]; }
+  SPIN_HD void operator()(std::size_t r) const {
+    v.rows[r].start = start[v.grid.rankOf(static_cast<std::int32_t>(r))];
+  }
 };
 
 /// Sort key: the bin's number; the dead go behind all.

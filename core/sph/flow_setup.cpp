@@ -187,6 +187,7 @@ FlowView flowView(const FlowConfig& c) {
   };
   view.domainX = end(0), view.domainY = end(1), view.domainZ = end(2);
   view.grid.periodX = period(0), view.grid.periodY = period(1), view.grid.periodZ = period(2);
+  view.grid.morton = c.cellOrder == CellOrder::Morton;
   setWalls(c, view.walls);
   return view;
 }

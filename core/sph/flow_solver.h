@@ -52,6 +52,9 @@ struct FlowWallsConfig {
 /// diffusion, so the pressure is quieter and a step cheaper.
 enum class DensityMode : std::uint8_t { Summation, Continuity };
 
+/// How rows of cells follow each other in memory: z by z, or along a Z-curve within tiles of 8 x 8 rows.
+enum class CellOrder : std::uint8_t { Linear, Morton };
+
 /// The particle solver: weakly compressible SPH (density by summation, equation of state), half-space
 /// integrals at solids, generalised Newtonian viscosity, XSPH.
 struct FlowConfig {
@@ -72,6 +75,7 @@ struct FlowConfig {
   double courant = 0.25;         ///< share of a spacing that sound goes in a step
   double forceFactor = 0.25;     ///< step <= factor sqrt(spacing / |a|)
   double viscousFactor = 0.125;  ///< step <= factor spacing^2 / nu
+  CellOrder cellOrder = CellOrder::Linear;
   FlowWallsConfig walls;
 
   double support() const { return supportSpacings * spacing; }

@@ -252,15 +252,14 @@ class FlowSolverOn final : public FlowSolver {
   /// Gives the number of bins.
   std::uint32_t makeRows() {
     const auto rows = static_cast<std::size_t>(m_view.grid.rows());
-    if (m_rows.size() < rows) {
-      m_rows.resize(rows);
-      m_rowBins.resize(rows);
-    }
+    const auto ranks = static_cast<std::size_t>(m_view.grid.ranks());
+    if (m_rows.size() < rows) m_rows.resize(rows);
+    if (m_rowBins.size() < ranks) m_rowBins.resize(ranks);
     m_view.rows = m_rows.data();
     m_backend.forEach("rows", rows, ClearRowKernel{m_view});
     m_backend.forEach("rows", m_view.count, RowExtentKernel{m_view});
-    m_backend.forEach("rows", rows, RowBinsKernel{m_view, m_rowBins.data()});
-    const std::uint64_t bins = m_backend.exclusiveScan("rows", m_rowBins.data(), m_rowBins.data(), rows);
+    m_backend.forEach("rows", ranks, RowBinsKernel{m_view, m_rowBins.data()});
+    const std::uint64_t bins = m_backend.exclusiveScan("rows", m_rowBins.data(), m_rowBins.data(), ranks);
     m_backend.forEach("rows", rows, RowStartKernel{m_view, m_rowBins.data()});
     if (bins > UINT32_MAX - 2) throw std::runtime_error("too many bins");
     if (m_binStart.size() < bins + 2) m_binStart.resize(bins + bins / 8 + 2);

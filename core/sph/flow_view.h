@@ -40,9 +40,40 @@ struct FlowGrid {
   std::int32_t cellsY = 0, cellsZ = 0;                 ///< rows
   std::int32_t periodX = 0, periodY = 0, periodZ = 0;  ///< cells of a periodic axis (3 or more), else 0
 
+  bool morton = false;  ///< order of the rows' bins, see rankOf()
+
   SPIN_HD_INLINE std::int32_t rows() const { return cellsY * cellsZ; }
   SPIN_HD_INLINE std::int32_t rowOf(std::int32_t y, std::int32_t z) const {
     return ((z >> kCellBits) - lowZ) * cellsY + (y >> kCellBits) - lowY;
+  }
+
+  /// Bins are numbered row by row in the order of ranks. In the linear order that is the row's number. In
+  /// Morton's (1966) it follows a Z-curve within tiles of kTileRows x kTileRows rows, so that neighbouring
+  /// rows are near in memory too; whole tiles follow each other linearly, so a long, narrow box pays for no
+  /// square round it.
+  static constexpr std::int32_t kTileBits = 3, kTileRows = 1 << kTileBits;
+  SPIN_HD_INLINE std::int32_t tilesY() const { return (cellsY + kTileRows - 1) >> kTileBits; }
+  SPIN_HD_INLINE std::int32_t ranks() const {
+    return morton ? (tilesY() * ((cellsZ + kTileRows - 1) >> kTileBits)) << (2 * kTileBits) : rows();
+  }
+  SPIN_HD_INLINE std::int32_t rankOf(std::int32_t row) const {
+    if (!morton) return row;
+    const std::int32_t z = row / cellsY, y = row - z * cellsY;
+    std::int32_t curve = 0;
+    for (std::int32_t bit = 0; bit < kTileBits; ++bit)
+      curve |= ((y >> bit & 1) << (2 * bit)) | ((z >> bit & 1) << (2 * bit + 1));
+    return (((z >> kTileBits) * tilesY() + (y >> kTileBits)) << (2 * kTileBits)) + curve;
+  }
+  /// Row of a rank; -1 where a tile reaches beyond the rows.
+  SPIN_HD_INLINE std::int32_t rowAtRank(std::int32_t rank) const {
+    if (!morton) return rank;
+    const std::int32_t tile = rank >> (2 * kTileBits), tiles = tilesY();
+    std::int32_t y = tile % tiles << kTileBits, z = tile / tiles << kTileBits;
+    for (std::int32_t bit = 0; bit < kTileBits; ++bit) {
+      y |= (rank >> (2 * bit) & 1) << bit;
+      z |= (rank >> (2 * bit + 1) & 1) << bit;
+    }
+    return y < cellsY && z < cellsZ ? z * cellsY + y : -1;
   }
 };
 

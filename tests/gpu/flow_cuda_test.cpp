@@ -3,6 +3,7 @@
 #include "core/base/log.h"
 #include "gpu/cuda_device.h"
 #include "gpu/flow_solver_cuda.h"
+#include "tests/support/flow_cells_contract.h"
 #include "tests/support/flow_contract.h"
 
 namespace spin {
@@ -18,6 +19,7 @@ struct CudaFlowTraits {
 };
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowContract, CudaFlowTraits);
+INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowCellsContract, CudaFlowTraits);
 
 }  // namespace contract
 

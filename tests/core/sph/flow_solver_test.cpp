@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/parallel.h"
 #include "core/sph/flow_solver_impl.h"
+#include "tests/support/flow_cells_contract.h"
 #include "tests/support/flow_contract.h"
 
 namespace spin {
@@ -40,7 +41,8 @@ using FlowTypes =
     ::testing::Types<PlainTraits, IsaTraits<Isa::Baseline>, IsaTraits<Isa::Avx2>, IsaTraits<Isa::Avx512>>;
 namespace contract {
 INSTANTIATE_TYPED_TEST_SUITE_P(Cpu, FlowContract, FlowTypes);
-}
+INSTANTIATE_TYPED_TEST_SUITE_P(Cpu, FlowCellsContract, FlowTypes);
+}  // namespace contract
 
 namespace {
 
