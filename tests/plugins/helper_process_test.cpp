@@ -74,7 +74,7 @@ TEST_F(HelperProcess, CancelStopsItAtOnce) {
   user.join();
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(static_cast<int>(result.error().kind), static_cast<int>(ErrorKind::Cancelled));
-  EXPECT_LT(m_seconds, 1.0 * test::kPatience);
+  EXPECT_LT(m_seconds, 1.0 * test::patience());
 }
 
 TEST_F(HelperProcess, HungerForMemoryIsStopped) {

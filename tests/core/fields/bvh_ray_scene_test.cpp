@@ -46,7 +46,7 @@ TEST(BvhRayScene, FindsTheClosestOfSeveralAndItsNumber) {
 TEST(BvhRayScene, CancelEndsTheBuildSoon) {
   const test::CancelledBuild build = test::cancelledBuild(*makeBvhRayScene());
   EXPECT_FALSE(build.done);
-  EXPECT_LT(build.seconds, 1.0 * test::kPatience);
+  EXPECT_LT(build.seconds, 1.0 * test::patience());
 }
 
 TEST(BvhRayScene, ManyTrianglesInOnePlaceStillBuild) {

@@ -61,7 +61,7 @@ TEST(EmbreeRayScene, AgreesWithTheBuiltInHierarchy) {
 TEST(EmbreeRayScene, CancelEndsTheBuildSoon) {
   const test::CancelledBuild build = test::cancelledBuild(*makeEmbreeRayScene());
   EXPECT_FALSE(build.done);
-  EXPECT_LT(build.seconds, 1.0 * test::kPatience);
+  EXPECT_LT(build.seconds, 1.0 * test::patience());
 }
 
 TEST(EmbreeRayScene, EmptySceneAndEmptyMeshHideNothing) {

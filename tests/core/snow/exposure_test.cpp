@@ -246,7 +246,7 @@ TEST(SnowProcesses, CancelEndsALongExposureSoon) {
   stopper.join();
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().kind, ErrorKind::Cancelled);
-  EXPECT_LT(static_cast<double>(ended - asked) * 1e-9, 0.5 * test::kPatience);
+  EXPECT_LT(static_cast<double>(ended - asked) * 1e-9, 0.5 * test::patience());
 }
 
 TEST(SnowProcesses, UnchangedWeatherCastsNoRaysAgain) {
