@@ -13,6 +13,8 @@ BenchCase exposureRaytracedCase();
 BenchCase slopeCatchCase();
 BenchCase massCase();
 BenchCase sphSpeedCase();
+BenchCase kernelSumsCase();
+BenchCase damBreakCase();
 BenchCase hydrostaticCase();
 BenchCase poiseuilleCase();
 BenchCase couetteCase();
@@ -26,7 +28,7 @@ const std::vector<BenchCase>& builtInBenchCases() {
       terminalSpeedCase(),   sizeSpectrumCase(), exposureEdgeCase(), exposureRaytracedCase(),
       slopeCatchCase(),      massCase(),         sphSpeedCase(),     hydrostaticCase(),
       poiseuilleCase(),      couetteCase(),      channelPowerCase(), channelBinghamCase(),
-      channelHerschelCase(), channelCrossCase(),
+      channelHerschelCase(), channelCrossCase(), kernelSumsCase(),   damBreakCase(),
   };
   return cases;
 }

@@ -56,7 +56,8 @@ struct CubicSpline {
   }
 };
 
-/// poly6 of Mueller et al. 2003: needs no square root; for densities.
+/// poly6 of Mueller et al. 2003, eq. 20: needs no square root; for densities. Its gradient vanishes at the
+/// centre, so it is none for pressure.
 struct Poly6 {
   static constexpr double kNorm = 315.0 / (64.0 * kPi);
 
@@ -65,6 +66,12 @@ struct Poly6 {
   SPIN_HD_INLINE static T shapeOfSquare(T q2) {
     const T a = maximum(T(1.0f) - q2, T(0.0f));
     return a * a * a;
+  }
+  /// shape'(q) / q, of q squared: grad W = norm / h^5 * slopeOverQ * (x_i - x_j).
+  template <class T>
+  SPIN_HD_INLINE static T slopeOverQOfSquare(T q2) {
+    const T a = maximum(T(1.0f) - q2, T(0.0f));
+    return T(-6.0f) * a * a;
   }
 };
 
@@ -83,6 +90,30 @@ struct Spiky {
   SPIN_HD_INLINE static T slope(T q) {
     const T a = maximum(T(1.0f) - q, T(0.0f));
     return T(-3.0f) * a * a;
+  }
+};
+
+/// Viscosity kernel of Mueller et al. 2003, eq. 22: made for its Laplacian, which is positive everywhere and
+/// linear; the shape itself has a pole at the centre and is no density.
+struct ViscosityKernel {
+  static constexpr double kNorm = 15.0 / (2.0 * kPi);
+
+  /// q > 0.
+  template <class T>
+  SPIN_HD_INLINE static T shape(T q) {
+    const T inside = minimum(q, T(1.0f));
+    return mulAdd(inside * inside, mulAdd(T(-0.5f), inside, T(1.0f)), T(0.5f) / inside - T(1.0f));
+  }
+  /// shape'(q), q > 0.
+  template <class T>
+  SPIN_HD_INLINE static T slope(T q) {
+    const T inside = minimum(q, T(1.0f));
+    return mulAdd(inside, mulAdd(T(-1.5f), inside, T(2.0f)), T(-0.5f) / (inside * inside));
+  }
+  /// Laplacian of the shape; of W it is norm / h^5 times that.
+  template <class T>
+  SPIN_HD_INLINE static T laplacian(T q) {
+    return T(6.0f) * maximum(T(1.0f) - q, T(0.0f));
   }
 };
 

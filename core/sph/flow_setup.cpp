@@ -215,15 +215,16 @@ Status appendParticles(const FlowConfig& c, const std::vector<FlowParticle>& par
     const bool placed = toUnits(local.x, c.support(), view.domainX, c.periodic[0], state.x[i]) &&
                         toUnits(local.y, c.support(), view.domainY, c.periodic[1], state.y[i]) &&
                         toUnits(local.z, c.support(), view.domainZ, c.periodic[2], state.z[i]);
-    if (!placed || !isFinite(p.velocity) || p.material >= c.materials.size()) {
+    if (!placed || !isFinite(p.velocity) || !inRange(p.excess, -0.5, 1.0) ||
+        p.material >= c.materials.size()) {
       state.resize(before);
       return badInput(kParticles, fmt::format("particle {}", k),
-                      "it lies outside the domain, its velocity is not finite, or its material is not there");
+                      "it lies outside the domain, its velocity or density is not one, or its material is not there");
     }
     const Vec3f v = p.velocity.to<float>();
     state.records[i] = {v.x, v.y, v.z, 0.0f, 0.0f, 0.0f};
     state.extras[i] = {0, 0, 0, p.material, 0};
-    state.excess[i] = 0.0f;
+    state.excess[i] = static_cast<float>(p.excess);
     state.ids[i] = firstId + static_cast<std::uint32_t>(k);
   }
   return {};
@@ -240,6 +241,7 @@ FlowParticle flowParticle(const FlowConfig& c, const FlowHostState& state, std::
   p.velocity = Vec3f{r.vx, r.vy, r.vz}.to<double>();
   p.material = extra.material;
   p.id = state.ids[i];
+  p.excess = static_cast<double>(state.excess[i]);
   return p;
 }
 

@@ -89,6 +89,7 @@ struct FlowParticle {
   Vec3d velocity{};  ///< m/s
   std::uint8_t material = 0;
   std::uint32_t id = 0;  ///< in the order of adding, from 0
+  double excess = 0.0;   ///< rho / rho0 - 1 to begin with, where the density is carried by continuity
 };
 
 /// What a particle carries at the latest step.

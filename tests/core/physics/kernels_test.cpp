@@ -36,6 +36,19 @@ TEST(KernelTest, VolumeIntegralsAreOne) {
   EXPECT_NEAR(volume(CubicSpline::kNorm, [](double q) { return CubicSpline::shape(q); }), 1.0, 1e-6);
   EXPECT_NEAR(volume(Poly6::kNorm, [](double q) { return Poly6::shapeOfSquare(q * q); }), 1.0, 1e-6);
   EXPECT_NEAR(volume(Spiky::kNorm, [](double q) { return Spiky::shape(q); }), 1.0, 1e-6);
+  EXPECT_NEAR(volume(ViscosityKernel::kNorm, [](double q) { return ViscosityKernel::shape(q); }), 1.0, 1e-6);
+}
+
+TEST(KernelTest, ViscosityKernelsLaplacianIsThatOfItsShape) {
+  constexpr double e = 1e-4;
+  for (double q = 0.05; q < 0.99; q += 0.01) {
+    const double slope = (ViscosityKernel::shape(q + e) - ViscosityKernel::shape(q - e)) / (2 * e);
+    EXPECT_NEAR(ViscosityKernel::slope(q), slope, 1e-4 / (q * q * q * q)) << q;
+    // (q^2 f')' / q^2
+    const double out = (q + e) * (q + e) * ViscosityKernel::slope(q + e),
+                 in = (q - e) * (q - e) * ViscosityKernel::slope(q - e);
+    EXPECT_NEAR(ViscosityKernel::laplacian(q), (out - in) / (2 * e * q * q), 1e-5) << q;
+  }
 }
 
 TEST(KernelTest, DensityKernelsSumToOneOnALatticeAndSpikyDoesNot) {
@@ -51,6 +64,9 @@ TEST(KernelTest, SlopesAreTheDerivativesOfTheShapes) {
     EXPECT_NEAR(CubicSpline::slopeOverQ(q) * q, cubic, 1e-4) << q;
     const double spiky = (Spiky::shape(q + e) - Spiky::shape(q - e)) / (2 * e);
     EXPECT_NEAR(Spiky::slope(q), spiky, 1e-4) << q;
+    const double poly6 =
+        (Poly6::shapeOfSquare((q + e) * (q + e)) - Poly6::shapeOfSquare((q - e) * (q - e))) / (2 * e);
+    EXPECT_NEAR(Poly6::slopeOverQOfSquare(q * q) * q, poly6, 1e-4) << q;
   }
   EXPECT_EQ(CubicSpline::slopeOverQ(0.0), -12.0);
 }
@@ -61,6 +77,9 @@ TEST(KernelTest, NothingReachesBeyondTheSupport) {
     EXPECT_EQ(CubicSpline::slopeOverQ(q), 0.0) << q;
     EXPECT_EQ(Poly6::shapeOfSquare(q * q), 0.0) << q;
     EXPECT_EQ(Spiky::shape(q), 0.0) << q;
+    EXPECT_EQ(ViscosityKernel::shape(q), 0.0) << q;
+    EXPECT_EQ(ViscosityKernel::slope(q), 0.0) << q;
+    EXPECT_EQ(ViscosityKernel::laplacian(q), 0.0) << q;
   }
   EXPECT_EQ(CubicSpline::slopeOverQ(1.0f), 0.0f);
 }
