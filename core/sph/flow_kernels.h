@@ -37,7 +37,7 @@ struct BoundsOf {
     if (v.extra[i].flags & kDead) return noBounds();
     const std::int32_t y = v.y[i] >> kCellBits, z = v.z[i] >> kCellBits;
     const PairRecord& r = v.record[i];
-    const float sum = r.vx + r.vy + r.vz;
+    const float sum = r.vx + r.vy + r.vz + v.excess[i];
     return {y, y, z, z, 1, sum - sum == 0.0f ? UINT32_MAX : v.id[i]};
   }
 };
@@ -227,7 +227,7 @@ struct IntegrateKernel {
     return rate;
   }
 
-  /// Pressure and friction of all walls near particle i; changes its velocity.
+  /// Pressure, solidity and friction of all walls near particle i; changes its velocity.
   SPIN_HD void actWalls(std::size_t i, PairVector<float>& velocity) const {
     const FlowConstants& c = v.constants;
     const PairRecord& r = v.record[i];
@@ -247,14 +247,14 @@ struct IntegrateKernel {
       velocity.x += kick * push * w.nx;
       velocity.y += kick * push * w.ny;
       velocity.z += kick * push * w.nz;
-      rub(w, s, push, r, velocity);
-      hold(w, c.material[v.extra[i].material].soundSpeed, velocity);
+      const float held = hold(w, c.material[v.extra[i].material].soundSpeed, velocity);
+      rub(w, s, maximum(kick * push, 0.0f) + held, r, velocity);
     });
   }
 
   /// No particle goes into a solid within the step, however little the pressure of a single one resists; one
-  /// that is inside comes out slowly.
-  SPIN_HD_INLINE void hold(const WallContact& w, float soundSpeed, PairVector<float>& velocity) const {
+  /// that is inside comes out slowly. Gives what the speed along the normal gains by it.
+  SPIN_HD_INLINE float hold(const WallContact& w, float soundSpeed, PairVector<float>& velocity) const {
     const FlowConstants& c = v.constants;
     const float way = kClosestToWall * c.spacing - w.distance;
     const float out = way > 0.0f ? minimum(0.2f * way / c.timeStep, 0.01f * soundSpeed) : way / c.timeStep;
@@ -263,9 +263,11 @@ struct IntegrateKernel {
     velocity.x += more * w.nx;
     velocity.y += more * w.ny;
     velocity.z += more * w.nz;
+    return more;
   }
 
-  SPIN_HD_INLINE void rub(const WallContact& w, float s, float push, const PairRecord& r,
+  /// `gain` is the speed along the normal that the wall gives, m/s: what Coulomb's friction goes by.
+  SPIN_HD_INLINE void rub(const WallContact& w, float s, float gain, const PairRecord& r,
                           PairVector<float>& velocity) const {
     const FlowConstants& c = v.constants;
     const WallSurface& surface = v.walls.surface[w.surface];
@@ -281,7 +283,7 @@ struct IntegrateKernel {
       keep = 1.0f / (1.0f + kick * wallDragRate(s, distance, r.viscosity / r.restDensity, c.support));
     } else {
       const float speed = squareRoot(slide.x * slide.x + slide.y * slide.y + slide.z * slide.z);
-      const float loss = surface.tangent * push * kick;
+      const float loss = surface.tangent * gain;
       keep = speed > loss ? 1.0f - loss / speed : 0.0f;
     }
     velocity.x -= (1.0f - keep) * slide.x;

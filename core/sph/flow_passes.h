@@ -127,6 +127,9 @@ struct ShearPass : OwnVelocity<Lanes> {
 /// What changes a particle's density by continuity, without factors: sum V_j (v_i - v_j) . grad W, and the
 /// diffusion of Molteni and Colagrossi 2009 in the form of Fourtakas et al. 2019: what is left of a pair's
 /// difference in density after that of fluid at rest. `atRest` is the gravity over c^2, per support.
+/// The divergence is that of the velocities before the step, which would let sound grow by (omega dt)^2 / 2 a
+/// step: what the step's pressure changes it by, dt c^2 times the Laplacian of the same difference, is added
+/// to the diffusion, and density and velocity follow each other as in the symplectic Euler scheme.
 template <class T>
 struct DensityRate {
   T sum = T(0.0f), spread = T(0.0f);
@@ -180,8 +183,10 @@ struct ForcePass : OwnVelocity<Lanes> {
     own.store(scale * force.y, v.ay);
     own.store(scale * force.z, v.az);
     if constexpr (Continuity)
-      own.store(T(v.constants.gradientFactor) * rate.sum + T(v.constants.diffusionFactor) * rate.spread,
-                v.rate);
+      own.store(
+          T(v.constants.gradientFactor) * rate.sum +
+              T(v.constants.diffusionFactor + v.constants.soundFactor * v.constants.timeStep) * rate.spread,
+          v.rate);
     if constexpr (Smooth) {
       const T smooth = T(2.0f * v.constants.smoothFactor);
       own.store(smooth * change.x, v.sx);

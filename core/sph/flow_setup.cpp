@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/physics/kernels.h"
+#include "core/sph/solid_test.h"
 
 namespace spin {
 namespace {
@@ -101,6 +102,9 @@ FlowConstants flowConstants(const FlowConfig& c) {
   double sound = c.materials[0].soundSpeed;
   for (const FlowMaterialConfig& m : c.materials) sound = std::min(sound, m.soundSpeed);
   k.diffusionFactor = static_cast<float>(c.diffusion * h * sound * volume / (h * h * h * h * h));
+  double fastest = sound;
+  for (const FlowMaterialConfig& m : c.materials) fastest = std::max(fastest, m.soundSpeed);
+  k.soundFactor = static_cast<float>(2.0 * fastest * fastest * volume / (h * h * h * h * h));
   const Vec3f rest = (c.gravity * (h / (sound * sound))).to<float>();
   k.restX = rest.x, k.restY = rest.y, k.restZ = rest.z;
   k.smoothFactor = static_cast<float>(c.smoothing) * k.densityFactor;
@@ -207,26 +211,31 @@ Status appendParticles(const FlowConfig& c, const std::vector<FlowParticle>& par
   if (before + particles.size() > INT32_MAX - kPairPadding || particles.size() > UINT32_MAX - firstId)
     return badInput(kParticles, {}, "there are more than 2^31");
   const FlowView view = flowView(c);
+  const SolidTest inSolid(c, view.walls);
   state.resize(before + particles.size());
+  std::size_t i = before;
   for (std::size_t k = 0; k < particles.size(); ++k) {
     const FlowParticle& p = particles[k];
     const Vec3d local = p.position - c.domainMin;
-    const std::size_t i = before + k;
     const bool placed = toUnits(local.x, c.support(), view.domainX, c.periodic[0], state.x[i]) &&
                         toUnits(local.y, c.support(), view.domainY, c.periodic[1], state.y[i]) &&
                         toUnits(local.z, c.support(), view.domainZ, c.periodic[2], state.z[i]);
     if (!placed || !isFinite(p.velocity) || !inRange(p.excess, -0.5, 1.0) ||
         p.material >= c.materials.size()) {
       state.resize(before);
-      return badInput(kParticles, fmt::format("particle {}", k),
-                      "it lies outside the domain, its velocity or density is not one, or its material is not there");
+      return badInput(
+          kParticles, fmt::format("particle {}", k),
+          "it lies outside the domain, its velocity or density is not one, or its material is not there");
     }
+    if (inSolid(p.position)) continue;
     const Vec3f v = p.velocity.to<float>();
     state.records[i] = {v.x, v.y, v.z, 0.0f, 0.0f, 0.0f};
     state.extras[i] = {0, 0, 0, p.material, 0};
     state.excess[i] = static_cast<float>(p.excess);
     state.ids[i] = firstId + static_cast<std::uint32_t>(k);
+    ++i;
   }
+  state.resize(i);
   return {};
 }
 

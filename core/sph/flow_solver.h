@@ -114,7 +114,8 @@ struct FlowStep {
 class FlowSolver {
  public:
   virtual ~FlowSolver() = default;
-  /// Adds particles at rest or moving; ids go on from the last. Positions within the domain.
+  /// Adds particles at rest or moving; ids go on from the last. Positions within the domain. What lies in a
+  /// solid by more than a quarter of a spacing is left out, for there is no room: count() says what is there.
   virtual Status add(const std::vector<FlowParticle>& particles) = 0;
   /// One step of `most` seconds (> 0), or shorter where stability asks for it.
   virtual Result<FlowStep> step(double most) = 0;

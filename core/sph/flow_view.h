@@ -107,6 +107,7 @@ struct FlowConstants {
   float gradientFactor = 0;                        ///< V0 norm / h^4: times slopeOverQ times offset/h
   float viscousFactor = 0;                         ///< V0 norm / h^5
   float diffusionFactor = 0;                       ///< 2 delta (h/2) c V0 norm / h^5
+  float soundFactor = 0;                           ///< 2 c^2 V0 norm / h^5, times the step: see DensityRate
   float smoothFactor = 0;                          ///< XSPH's c V0 norm / h^3; 0 = off
   float support = 1;                               ///< h, m
   float spacing = 1;                               ///< m

@@ -5,6 +5,7 @@
 #include "gpu/flow_solver_cuda.h"
 #include "tests/support/flow_cells_contract.h"
 #include "tests/support/flow_contract.h"
+#include "tests/support/flow_hard_contract.h"
 
 namespace spin {
 namespace contract {
@@ -20,6 +21,7 @@ struct CudaFlowTraits {
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowContract, CudaFlowTraits);
 INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowCellsContract, CudaFlowTraits);
+INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowHard, CudaFlowTraits);
 
 }  // namespace contract
 

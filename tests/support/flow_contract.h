@@ -7,46 +7,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <string>
 #include <vector>
 
+#include "tests/support/flow_runs.h"
 #include "tests/support/flow_scenes.h"
 
 /// What the particle solver must do on every device and instruction set, one text for all: instantiate
-/// FlowContract with a struct that has `static Result<Solver> make(config)` and `static bool
-/// available(std::string& why)`.
+/// FlowContract with a struct as FlowRuns wants it.
 namespace spin::contract {
 
-using Solver = std::unique_ptr<FlowSolver>;
-
 template <class Traits>
-class FlowContract : public ::testing::Test {
- protected:
-  void SetUp() override {
-    std::string why;
-    if (!Traits::available(why)) GTEST_SKIP() << why;
-  }
-  static Solver start(const FlowConfig& config, const std::vector<FlowParticle>& particles) {
-    Result<Solver> made = Traits::make(config);
-    if (!made) throw std::runtime_error(made.error().text());
-    const Status added = (*made)->add(particles);
-    if (!added) throw std::runtime_error(added.error().text());
-    return std::move(made).value();
-  }
-  static double run(FlowSolver& solver, double most, int steps) {
-    double seconds = 0.0;
-    for (int s = 0; s < steps; ++s) {
-      const Result<FlowStep> done = solver.step(most);
-      if (!done) throw std::runtime_error(done.error().text());
-      seconds += done->seconds;
-    }
-    return seconds;
-  }
-  static void runFor(FlowSolver& solver, double seconds) {
-    while (seconds > 1e-9) seconds -= run(solver, seconds, 1);
-  }
-};
+class FlowContract : public FlowRuns<Traits> {};
 TYPED_TEST_SUITE_P(FlowContract);
 
 constexpr double kNow = 1e-9;  // s, a step that moves nothing

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/sph/solid_test.h"
+
+namespace spin {
+
+SolidTest::SolidTest(const FlowConfig& config, const WallView& walls)
+    : m_origin(config.domainMin),
+      m_walls(walls),
+      m_heights(config.walls.ground.values),
+      m_reach(static_cast<float>(-0.25 * config.spacing)) {
+  for (float& z : m_heights) z -= static_cast<float>(config.domainMin.z);
+  m_walls.ground.heights = m_heights.empty() ? nullptr : m_heights.data();
+  m_walls.ground.surfaces = nullptr;
+  for (const auto& mesh : config.walls.meshes)
+    if (mesh.field) m_meshes.push_back({mesh.field->view(config.domainMin), mesh.surface});
+  m_walls.meshes = m_meshes.data();
+  m_walls.meshCount = static_cast<std::int32_t>(m_meshes.size());
+}
+
+bool SolidTest::operator()(const Vec3d& position) const {
+  const Vec3f p = (position - m_origin).to<float>();
+  bool inside = false;
+  m_walls.near(p.x, p.y, p.z, m_reach, [&](const WallContact&) { inside = true; });
+  return inside;
+}
+
+}  // namespace spin
