@@ -8,7 +8,7 @@ SolidTest::SolidTest(const FlowConfig& config, const WallView& walls)
     : m_origin(config.domainMin),
       m_walls(walls),
       m_heights(config.walls.ground.values),
-      m_reach(static_cast<float>(-0.25 * config.spacing)) {
+      m_spacing(static_cast<float>(config.spacing)) {
   for (float& z : m_heights) z -= static_cast<float>(config.domainMin.z);
   m_walls.ground.heights = m_heights.empty() ? nullptr : m_heights.data();
   m_walls.ground.surfaces = nullptr;
@@ -21,7 +21,8 @@ SolidTest::SolidTest(const FlowConfig& config, const WallView& walls)
 bool SolidTest::operator()(const Vec3d& position) const {
   const Vec3f p = (position - m_origin).to<float>();
   bool inside = false;
-  m_walls.near(p.x, p.y, p.z, m_reach, [&](const WallContact&) { inside = true; });
+  m_walls.near(p.x, p.y, p.z, m_spacing,
+               [&](const WallContact& wall) { inside = inside || wall.distance < -0.25f * m_spacing; });
   return inside;
 }
 

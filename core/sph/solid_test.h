@@ -20,7 +20,7 @@ class SolidTest {
   WallView m_walls;
   std::vector<float> m_heights;
   std::vector<WallMesh> m_meshes;
-  float m_reach = 0.0f;
+  float m_spacing = 0.0f;
 };
 
 }  // namespace spin
