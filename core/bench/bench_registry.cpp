@@ -16,6 +16,7 @@ BenchCase sphSpeedCase();
 BenchCase kernelSumsCase();
 BenchCase damBreakCase();
 BenchCase hydrostaticCase();
+BenchCase buoyancyCase();
 BenchCase poiseuilleCase();
 BenchCase couetteCase();
 BenchCase channelPowerCase();
@@ -29,6 +30,7 @@ const std::vector<BenchCase>& builtInBenchCases() {
       slopeCatchCase(),      massCase(),         sphSpeedCase(),     hydrostaticCase(),
       poiseuilleCase(),      couetteCase(),      channelPowerCase(), channelBinghamCase(),
       channelHerschelCase(), channelCrossCase(), kernelSumsCase(),   damBreakCase(),
+      buoyancyCase(),
   };
   return cases;
 }

@@ -93,14 +93,20 @@ Status RigidWorld::step(double seconds, const std::vector<RigidImpulse>& impulse
 void RigidWorld::kick(double seconds, const std::vector<RigidImpulse>& impulses, double share) {
   for (std::size_t k = 0; k < m_bodies.size(); ++k) {
     RigidState& s = m_states[k];
-    if (m_bodies[k].kinematic) continue;
+    if (m_bodies[k].kinematic) {
+      if (!impulses.empty()) m_outer += impulses[k].linear * -share;
+      continue;
+    }
     const double mass = m_bodies[k].mass();
     if (!impulses.empty()) {
       // What holds a body up against its weight does not wake it; what moves it does.
       if (asleep(k) && length(impulses[k].linear) * share > kCalmPush * mass * length(m_gravity) * seconds)
         s.calmSeconds = 0.0;
     }
-    if (asleep(k)) continue;
+    if (asleep(k)) {
+      if (!impulses.empty()) m_outer += impulses[k].linear * -share;
+      continue;
+    }
     m_outer += m_gravity * (mass * seconds);
     s.velocity += m_gravity * seconds;
     if (impulses.empty()) continue;
@@ -165,7 +171,9 @@ void RigidWorld::settle(double seconds, const std::vector<RigidImpulse>& impulse
     const double weight = m_bodies[k].mass() * length(m_gravity) * seconds;
     const bool pushed = !impulses.empty() && length(impulses[k].linear) * share > kCalmPush * weight;
     s.calmSeconds = held[k] && speed < kCalmSpeed && !pushed ? s.calmSeconds + seconds : 0.0;
-    if (s.calmSeconds >= kSleepAfter) s.velocity = s.angularVelocity = {};
+    if (s.calmSeconds < kSleepAfter) continue;
+    m_outer += s.velocity * -m_bodies[k].mass();
+    s.velocity = s.angularVelocity = {};
   }
 }
 

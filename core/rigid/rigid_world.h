@@ -21,6 +21,7 @@ struct RigidImpulse {
 /// bit.
 class RigidWorld {
  public:
+  RigidWorld() = default;
   /// Friction of what does not move is `staticFriction`. Fails where a value is out of range.
   static Result<RigidWorld> make(std::vector<RigidBodyConfig> bodies, RigidStatics statics, Vec3d gravity,
                                  double staticFriction);
@@ -32,7 +33,8 @@ class RigidWorld {
   /// Fails, and changes nothing, where the number is another or a value is not finite.
   Status setStates(std::vector<RigidState> states);
   bool asleep(std::size_t body) const { return m_states[body].calmSeconds >= kSleepAfter; }
-  /// Impulse that gravity and what does not move gave all bodies in the last step, N s.
+  /// Impulse that gravity and what does not move, kinematic and sleeping bodies among it, gave in the last
+  /// step, N s: the change of the moving bodies' momentum is this and `impulses` on all bodies.
   Vec3d outerImpulse() const { return m_outer; }
 
  private:

@@ -307,12 +307,25 @@ struct IntegrateKernel {
     if (period > 0) position += position < 0 ? period : position >= period ? -period : 0;
   }
 
-  SPIN_HD void operator()(std::size_t i) const {
+  /// What pairs and bodies make of the velocity.
+  SPIN_HD_INLINE PairVector<float> innerVelocity(std::size_t i) const {
+    const PairRecord& r = v.record[i];
+    PairVector<float> velocity{r.vx + kick * v.ax[i], r.vy + kick * v.ay[i], r.vz + kick * v.az[i]};
+    if (v.sx) {
+      velocity.x += v.sx[i];
+      velocity.y += v.sy[i];
+      velocity.z += v.sz[i];
+    }
+    return velocity;
+  }
+  /// The velocity after the step: gravity, wind and walls on top of that.
+  SPIN_HD_INLINE PairVector<float> newVelocity(std::size_t i) const {
     const FlowConstants& c = v.constants;
-    PairRecord& r = v.record[i];
-    const float wallRate = v.rate && (v.extra[i].flags & kNearWall) ? wallDensityRate(i) : 0.0f;
-    PairVector<float> velocity{r.vx + kick * (v.ax[i] + c.gravityX), r.vy + kick * (v.ay[i] + c.gravityY),
-                               r.vz + kick * (v.az[i] + c.gravityZ)};
+    const PairRecord& r = v.record[i];
+    PairVector<float> velocity = innerVelocity(i);
+    velocity.x += kick * c.gravityX;
+    velocity.y += kick * c.gravityY;
+    velocity.z += kick * c.gravityZ;
     if (c.windDrag > 0.0f) {
       const PairVector<float> u{c.windX - r.vx, c.windY - r.vy, c.windZ - r.vz};
       const float pull = kick * c.windDrag * squareRoot(u.x * u.x + u.y * u.y + u.z * u.z);
@@ -320,12 +333,15 @@ struct IntegrateKernel {
       velocity.y += pull * u.y;
       velocity.z += pull * u.z;
     }
-    if (v.sx) {
-      velocity.x += v.sx[i];
-      velocity.y += v.sy[i];
-      velocity.z += v.sz[i];
-    }
     if (v.extra[i].flags & kNearWall) actWalls(i, velocity);
+    return velocity;
+  }
+
+  SPIN_HD void operator()(std::size_t i) const {
+    const FlowConstants& c = v.constants;
+    PairRecord& r = v.record[i];
+    const float wallRate = v.rate && (v.extra[i].flags & kNearWall) ? wallDensityRate(i) : 0.0f;
+    const PairVector<float> velocity = newVelocity(i);
     r.vx = velocity.x;
     r.vy = velocity.y;
     r.vz = velocity.z;
@@ -342,6 +358,28 @@ struct IntegrateKernel {
     const bool in = v.x[i] >= 0 && v.y[i] >= 0 && v.z[i] >= 0 && v.x[i] < v.domainX && v.y[i] < v.domainY &&
                     v.z[i] < v.domainZ;
     if (!in) v.extra[i].flags |= kDead;
+  }
+};
+
+/// Sum of impulses, N s.
+struct ImpulseSum {
+  double x, y, z;
+};
+struct AddImpulse {
+  SPIN_HD ImpulseSum operator()(const ImpulseSum& a, const ImpulseSum& b) const {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+};
+/// What gravity, wind and walls are about to give a particle.
+struct OuterImpulseOf {
+  IntegrateKernel step;
+  double volume;  ///< V0, m3
+  SPIN_HD ImpulseSum operator()(std::size_t i) const {
+    const PairVector<float> before = step.innerVelocity(i), after = step.newVelocity(i);
+    const double mass = volume * static_cast<double>(step.v.record[i].restDensity);
+    return {mass * (static_cast<double>(after.x) - static_cast<double>(before.x)),
+            mass * (static_cast<double>(after.y) - static_cast<double>(before.y)),
+            mass * (static_cast<double>(after.z) - static_cast<double>(before.z))};
   }
 };
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/physics/kernels.h"
+#include "core/rigid/rigid_world.h"
 #include "core/sph/solid_test.h"
 
 namespace spin {
@@ -71,6 +72,14 @@ Status checkWalls(const FlowWallsConfig& walls) {
   if (std::any_of(kinds.values.begin(), kinds.values.end(),
                   [&](std::uint8_t k) { return k >= walls.surfaces.size(); }))
     return badConfig("groundSurfaces", "a cell names a surface that is not there");
+  return {};
+}
+
+Status checkBodies(const FlowConfig& c) {
+  const auto world = RigidWorld::make(c.bodies, {}, c.gravity, c.bodyGroundFriction);
+  if (!world) return world.error();
+  for (const RigidBodyConfig& body : c.bodies)
+    if (body.surface >= c.walls.surfaces.size()) return badConfig("bodies", "a body has no surface");
   return {};
 }
 
@@ -156,6 +165,7 @@ Status checkFlowConfig(const FlowConfig& c) {
     return badConfig("courant", "the step's factors are 0.001 to 1");
   for (int axis = 0; axis < 3; ++axis)
     if (Status ok = checkAxis(c, axis); !ok) return ok;
+  if (Status ok = checkBodies(c); !ok) return ok;
   return checkWalls(c.walls);
 }
 

@@ -14,6 +14,7 @@
 #include "core/fields/signed_distance.h"
 #include "core/math/vec.h"
 #include "core/physics/rheology.h"
+#include "core/rigid/rigid_body.h"
 #include "core/sph/wall_view.h"
 
 namespace spin {
@@ -77,6 +78,9 @@ struct FlowConfig {
   double viscousFactor = 0.125;  ///< step <= factor spacing^2 / nu
   CellOrder cellOrder = CellOrder::Linear;
   FlowWallsConfig walls;
+  std::vector<RigidBodyConfig> bodies;  ///< in the flow, and on the walls; world metres
+  double bodyGroundFriction = 0.6;      ///< Coulomb's, of bodies on walls; with theirs the geometric mean
+  bool countImpulse = false;            ///< keep FlowSolver::outerImpulse(): a pass more a step
 
   double support() const { return supportSpacings * spacing; }
   double particleMass(std::size_t material) const {
@@ -122,6 +126,15 @@ class FlowSolver {
   /// Particles that are alive, by id.
   virtual std::vector<FlowSample> samples() const = 0;
   virtual std::size_t count() const = 0;
+  /// States of FlowConfig::bodies; all of what changes of them.
+  virtual std::vector<RigidState> bodies() const = 0;
+  /// Sets them, to go on from a checkpoint or to move kinematic ones. Fails where one is not finite.
+  virtual Status setBodies(const std::vector<RigidState>& states) = 0;
+  /// Boundary particles of all bodies where they are now, world m; for drawing.
+  virtual std::vector<Vec3d> bodyBoundary() const = 0;
+  /// With countImpulse: what all but flow and moving bodies gave both since the start, N s: gravity, wind,
+  /// walls, kinematic bodies. Their momentum changes by just that, while no particle leaves.
+  virtual Vec3d outerImpulse() const = 0;
   virtual StageTimings& timings() = 0;
   /// Memory of all arrays, bytes.
   virtual std::size_t bytes() const = 0;

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/sph/flow_bodies.h"
 #include "core/sph/flow_kernels.h"
 #include "core/sph/flow_setup.h"
 #include "core/sph/mesh_walls.h"
@@ -53,6 +54,7 @@ class FlowSolverOn final : public FlowSolver {
     }
     m_meshes.upload(m_backend, config);
     m_meshes.point(m_view.walls);
+    m_bodies.init(m_backend, config);
   }
 
   Status add(const std::vector<FlowParticle>& particles) override {
@@ -80,7 +82,8 @@ class FlowSolverOn final : public FlowSolver {
     if (!(most > 0.0) || !std::isfinite(most))
       return badInput(kStopped, "time step", "a step of " + std::to_string(most) + " s");
     FlowStep done{most, StepLimit::Asked};
-    const Status status = guarded([&] { return m_view.count == 0 ? Status() : stepParticles(done); });
+    const Status status =
+        guarded([&] { return m_view.count == 0 ? m_bodies.move(most, {}) : stepParticles(done); });
     if (!status) return status.error();
     return done;
   }
@@ -109,6 +112,12 @@ class FlowSolverOn final : public FlowSolver {
   }
 
   std::size_t count() const override { return m_view.count; }
+  std::vector<RigidState> bodies() const override { return m_bodies.world().states(); }
+  Status setBodies(const std::vector<RigidState>& states) override {
+    return m_bodies.world().setStates(states);
+  }
+  std::vector<Vec3d> bodyBoundary() const override { return m_bodies.boundary(); }
+  Vec3d outerImpulse() const override { return m_outer; }
   StageTimings& timings() override { return m_backend.timings(); }
   const char* device() const override { return Backend::kDevice; }
   std::size_t bytes() const override {
@@ -117,7 +126,7 @@ class FlowSolverOn final : public FlowSolver {
               m_otherExcess, m_rate, m_ax, m_ay, m_az) +
            of(m_sx, m_sy, m_sz, m_shear, m_id, m_otherId, m_key, m_otherKey, m_order, m_rows, m_rowBins,
               m_binStart) +
-           of(m_ground, m_groundSurfaces) + m_meshes.bytes() + m_backend.scratchBytes();
+           of(m_ground, m_groundSurfaces) + m_meshes.bytes() + m_bodies.bytes() + m_backend.scratchBytes();
   }
 
  private:
@@ -202,10 +211,16 @@ class FlowSolverOn final : public FlowSolver {
 
   Status stepParticles(FlowStep& done) {
     if (Status ok = sortIntoCells(); !ok || m_view.count == 0) return ok;
-    if (!m_view.rate) m_passes.density(m_backend, m_view);
+    m_bodies.place(m_backend, m_view);
+    if (!m_view.rate) {
+      m_passes.density(m_backend, m_view);
+      m_bodies.density(m_backend, m_view);
+    }
     m_backend.forEach("pressure", m_view.count, PressureKernel{m_view});
     if (m_view.shearRate) m_passes.shear(m_backend, m_view);
     m_passes.force(m_backend, m_view);
+    if (m_view.rate) m_bodies.rate(m_backend, m_view);
+    m_bodies.pressure(m_backend, m_view);
     const StepLimits limits = m_backend.reduce(
         "step", m_view.count, noLimits(),
         LimitsOf{m_view, static_cast<float>(m_config.courant), static_cast<float>(m_config.forceFactor),
@@ -216,8 +231,27 @@ class FlowSolverOn final : public FlowSolver {
     m_view.constants.timeStep = static_cast<float>(done.seconds);
     const double kick = m_config.leapFrog ? 0.5 * (m_lastStep + done.seconds) : done.seconds;
     m_lastStep = done.seconds;
-    m_backend.forEach("integrate", m_view.count, IntegrateKernel{m_view, static_cast<float>(kick)});
-    return {};
+    const IntegrateKernel integrate{m_view, static_cast<float>(kick)};
+    const std::vector<RigidImpulse> impulses = actOnBodies(kick);
+    if (m_config.countImpulse) countImpulse(integrate);
+    m_backend.forEach("integrate", m_view.count, integrate);
+    const Status moved = m_bodies.move(done.seconds, impulses);
+    if (m_config.countImpulse && m_bodies.any()) m_outer += m_bodies.world().outerImpulse();
+    return moved;
+  }
+
+  /// Friction of bodies on the flow, then all that the flow does to them.
+  std::vector<RigidImpulse> actOnBodies(double kick) {
+    if (!m_bodies.any()) return {};
+    m_bodies.rub(m_backend, m_view, kick);
+    return m_bodies.reaction(m_backend, m_view, kick);
+  }
+
+  void countImpulse(const IntegrateKernel& integrate) {
+    const double volume = m_config.spacing * m_config.spacing * m_config.spacing;
+    const ImpulseSum sum = m_backend.reduce("impulse", m_view.count, ImpulseSum{0, 0, 0},
+                                            OuterImpulseOf{integrate, volume}, AddImpulse{});
+    m_outer += Vec3d{sum.x, sum.y, sum.z};
   }
 
   static void chooseStep(const StepLimits& limits, FlowStep& done) {
@@ -298,6 +332,7 @@ class FlowSolverOn final : public FlowSolver {
   FlowPasses<Backend> m_passes;
   FlowView m_view;
   std::uint32_t m_nextId = 0;
+  Vec3d m_outer{};          ///< N s
   double m_lastStep = 0.0;  ///< 0 before the first: the leap-frog's first kick is half a step
   Array<std::int32_t> m_x, m_y, m_z, m_otherX, m_otherY, m_otherZ;
   Array<PairRecord> m_record;
@@ -305,6 +340,7 @@ class FlowSolverOn final : public FlowSolver {
   Array<float> m_excess, m_otherExcess, m_rate, m_ax, m_ay, m_az, m_sx, m_sy, m_sz, m_shear, m_ground;
   Array<std::uint8_t> m_groundSurfaces;
   MeshWalls<Backend> m_meshes;
+  FlowBodies<Backend> m_bodies;
   Array<std::uint32_t> m_id, m_otherId, m_key, m_otherKey, m_order, m_rowBins, m_binStart;
   Array<FlowRow> m_rows;
 };
