@@ -123,6 +123,7 @@ class FlowBodies {
     const std::size_t n = m_points.size();
     FlowView& v = m_view.grid;
     v.grid = flow.grid;
+    v.grid.morton = false;
     v.grid.lowY = bounds.lowY, v.grid.cellsY = bounds.highY - bounds.lowY + 1;
     v.grid.lowZ = bounds.lowZ, v.grid.cellsZ = bounds.highZ - bounds.lowZ + 1;
     const auto rows = static_cast<std::size_t>(v.grid.rows());

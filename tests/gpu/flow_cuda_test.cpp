@@ -3,9 +3,11 @@
 #include "core/base/log.h"
 #include "gpu/cuda_device.h"
 #include "gpu/flow_solver_cuda.h"
+#include "tests/support/flow_bodies_contract.h"
 #include "tests/support/flow_cells_contract.h"
 #include "tests/support/flow_contract.h"
 #include "tests/support/flow_hard_contract.h"
+#include "tests/support/flow_walls_contract.h"
 
 namespace spin {
 namespace contract {
@@ -20,6 +22,8 @@ struct CudaFlowTraits {
 };
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowContract, CudaFlowTraits);
+INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowWallsContract, CudaFlowTraits);
+INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowBodiesContract, CudaFlowTraits);
 INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowCellsContract, CudaFlowTraits);
 INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowHard, CudaFlowTraits);
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
 // The solver's kernels as the CUDA backend launches them, without the rest: spills.py compiles this.
+#include "core/sph/body_kernels.h"
 #include "core/sph/flow_kernels.h"
 #include "gpu/for_each_kernel.cuh"
 
@@ -19,5 +20,12 @@ template __global__ void forEachKernel(PairKernel<SmoothForcePass>, std::size_t)
 template __global__ void forEachKernel(PairKernel<ContinuityForcePass>, std::size_t);
 template __global__ void forEachKernel(PairKernel<SmoothContinuityForcePass>, std::size_t);
 template __global__ void forEachKernel(IntegrateKernel, std::size_t);
+template __global__ void forEachKernel(PlaceBodyKernel, std::size_t);
+template __global__ void forEachKernel(NearBodyKernel, std::size_t);
+template __global__ void forEachKernel(BodyDensityKernel, std::size_t);
+template __global__ void forEachKernel(BodyRateKernel, std::size_t);
+template __global__ void forEachKernel(BodyPressureKernel, std::size_t);
+template __global__ void forEachKernel(BodyRubKernel, std::size_t);
+template __global__ void forEachKernel(BodyReactionKernel, std::size_t);
 
 }  // namespace spin

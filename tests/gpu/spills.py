@@ -15,7 +15,8 @@ import tempfile
 ENTRY = re.compile(r"Compiling entry function '(\S+)'")
 MEMORY = re.compile(r"(\d+) bytes stack frame, (\d+) bytes spill stores, (\d+) bytes spill loads")
 REGISTERS = re.compile(r"Used (\d+) registers")
-REQUIRED = ("DensityPass", "ShearPass", "PlainForcePass", "SmoothForcePass", "ContinuityForcePass", "SmoothContinuityForcePass", "IntegrateKernel", "PressureKernel")
+REQUIRED = ("DensityPass", "ShearPass", "PlainForcePass", "SmoothForcePass", "ContinuityForcePass", "SmoothContinuityForcePass", "IntegrateKernel", "PressureKernel",
+            "BodyDensityKernel", "BodyRateKernel", "BodyPressureKernel", "BodyRubKernel", "BodyReactionKernel")
 
 
 def kernels(report):
