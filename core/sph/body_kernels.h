@@ -176,16 +176,17 @@ struct BodyPressureKernel {
   }
 };
 
-/// What the surfaces near a flow particle are on the whole.
+/// What the surfaces near a flow particle are on the whole, and the nearest boundary particle.
 struct BodySurfaces {
-  float weight = 0.0f, most = 0.0f;
-  PairVector<float> velocity{0.0f, 0.0f, 0.0f};
+  float weight = 0.0f, most = 0.0f, nearest = 2.0f;
+  PairVector<float> velocity{0.0f, 0.0f, 0.0f}, offset{0.0f, 0.0f, 0.0f};
+  std::uint32_t holder = UINT32_MAX;
   std::uint8_t surface = 0;  ///< of the strongest
 };
 
 /// No slip, as viscosity between the particle and boundary particles that it is mirrored at, or Coulomb's
-/// friction; implicit in the particle's own velocity, so that no step is too long. `kick` as in
-/// IntegrateKernel.
+/// friction, implicit in the particle's own velocity, so that no step is too long; and no particle comes too
+/// near to a boundary particle, however little its pressure resists. `kick` as in IntegrateKernel.
 struct BodyRubKernel {
   FlowView v;
   BodyView b;
@@ -195,12 +196,13 @@ struct BodyRubKernel {
     BodySurfaces s;
     forBoundaryNear(v, b.grid, i, [&](const PairVector<float>& d, std::uint32_t j) {
       const BodyRecord& w = b.record[j];
-      const float weight = bodyWeight(w.volume, CubicSpline::slopeOverQ(distanceOf(d)));
+      const float q = distanceOf(d), weight = bodyWeight(w.volume, CubicSpline::slopeOverQ(q));
       s.weight += weight;
       s.velocity.x += weight * w.vx;
       s.velocity.y += weight * w.vy;
       s.velocity.z += weight * w.vz;
       if (weight > s.most) s.most = weight, s.surface = w.surface;
+      if (q < s.nearest) s.nearest = q, s.holder = j, s.offset = d;
     });
     return s;
   }
@@ -208,42 +210,67 @@ struct BodyRubKernel {
   SPIN_HD void operator()(std::size_t k) const {
     const std::uint32_t i = b.list[k];
     const BodySurfaces s = surfacesAt(i);
-    BodyRub rub{0.0f, 0.0f, 0.0f, s.weight};
+    BodyRub rub{0.0f, 0.0f, 0.0f, s.weight, 0.0f, 0.0f, 0.0f, UINT32_MAX};
     const WallSurface& surface = v.walls.surface[s.surface];
     if (s.weight > 0.0f && surface.friction != WallFriction::FreeSlip) {
       const PairRecord& r = v.record[i];
       const float mean = 1.0f / s.weight;
       const PairVector<float> slip{r.vx - s.velocity.x * mean, r.vy - s.velocity.y * mean,
                                    r.vz - s.velocity.z * mean};
-      rub = surface.friction == WallFriction::NoSlip ? sticking(s, slip, r) : rubbing(i, s, slip, surface);
+      if (surface.friction == WallFriction::NoSlip)
+        stick(s, slip, r, rub);
+      else
+        rubAlong(i, slip, surface, rub);
     }
-    b.rub[k] = rub;
     v.ax[i] += rub.x;
     v.ay[i] += rub.y;
     v.az[i] += rub.z;
+    if (s.holder != UINT32_MAX && s.nearest > 0.0f) hold(i, s, rub);
+    b.rub[k] = rub;
+    v.ax[i] += rub.holdX;
+    v.ay[i] += rub.holdY;
+    v.az[i] += rub.holdZ;
   }
 
  private:
-  SPIN_HD_INLINE BodyRub sticking(const BodySurfaces& s, const PairVector<float>& slip,
-                                  const PairRecord& r) const {
+  SPIN_HD_INLINE void stick(const BodySurfaces& s, const PairVector<float>& slip, const PairRecord& r,
+                            BodyRub& rub) const {
     const float rate =
         kBodyMirror * 2.0f * r.viscosity * v.constants.viscousFactor * s.weight / r.restDensity;
     const float scale = -rate / (1.0f + kick * rate);
-    return {scale * slip.x, scale * slip.y, scale * slip.z, s.weight};
+    rub.x = scale * slip.x, rub.y = scale * slip.y, rub.z = scale * slip.z;
   }
-  SPIN_HD_INLINE BodyRub rubbing(std::uint32_t i, const BodySurfaces& s, const PairVector<float>& slip,
-                                 const WallSurface& surface) const {
+  SPIN_HD_INLINE void rubAlong(std::uint32_t i, const PairVector<float>& slip, const WallSurface& surface,
+                               BodyRub& rub) const {
     const PairVector<float> push = bodyPressureOn(v, b, i);
     const float size = squareRoot(push.x * push.x + push.y * push.y + push.z * push.z);
-    if (!(size > 0.0f)) return {0.0f, 0.0f, 0.0f, s.weight};
+    if (!(size > 0.0f)) return;
     const PairVector<float> n{push.x / size, push.y / size, push.z / size};
     const float along = slip.x * n.x + slip.y * n.y + slip.z * n.z;
     const PairVector<float> slide{slip.x - along * n.x, slip.y - along * n.y, slip.z - along * n.z};
     const float speed = squareRoot(slide.x * slide.x + slide.y * slide.y + slide.z * slide.z);
-    if (!(speed > 0.0f)) return {0.0f, 0.0f, 0.0f, s.weight};
+    if (!(speed > 0.0f)) return;
     // At most what stops it within the step.
     const float scale = -minimum(surface.tangent * size, speed / kick) / speed;
-    return {scale * slide.x, scale * slide.y, scale * slide.z, s.weight};
+    rub.x = scale * slide.x, rub.y = scale * slide.y, rub.z = scale * slide.z;
+  }
+  SPIN_HD_INLINE void hold(std::uint32_t i, const BodySurfaces& s, BodyRub& rub) const {
+    const FlowConstants& c = v.constants;
+    const BodyRecord& w = b.record[s.holder];
+    const float way = kClosestToBoundary * c.spacing - s.nearest * c.support;
+    const float out = way > 0.0f
+                          ? minimum(0.2f * way / kick, 0.01f * c.material[v.extra[i].material].soundSpeed)
+                          : way / kick;
+    const float scale = -1.0f / s.nearest;
+    const PairVector<float> n{scale * s.offset.x, scale * s.offset.y, scale * s.offset.z};
+    const PairRecord& r = v.record[i];
+    const float apart = (r.vx + kick * (v.ax[i] + c.gravityX) - w.vx) * n.x +
+                        (r.vy + kick * (v.ay[i] + c.gravityY) - w.vy) * n.y +
+                        (r.vz + kick * (v.az[i] + c.gravityZ) - w.vz) * n.z;
+    const float more = maximum(out - apart, 0.0f) / kick;
+    if (!(more > 0.0f)) return;
+    rub.holdX = more * n.x, rub.holdY = more * n.y, rub.holdZ = more * n.z;
+    rub.holder = s.holder;
   }
 };
 
@@ -278,11 +305,15 @@ struct BodyReactionKernel {
           scale * static_cast<double>(d.z), static_cast<double>(w.armX), static_cast<double>(w.armY),
           static_cast<double>(w.armZ));
       const BodyRub& rub = b.rub[b.slot[i]];
+      const double mass = -volume * static_cast<double>(r.restDensity);
+      if (rub.holder == n)
+        add(sum, mass * static_cast<double>(rub.holdX), mass * static_cast<double>(rub.holdY),
+            mass * static_cast<double>(rub.holdZ), static_cast<double>(w.armX), static_cast<double>(w.armY),
+            static_cast<double>(w.armZ));
       const float weight = bodyWeight(w.volume, slope);
       if (!(rub.weight > 0.0f)) return;
       // With the lever of the flow particle, so that angular momentum is kept too.
-      const double share = -volume * static_cast<double>(r.restDensity) *
-                           (static_cast<double>(weight) / static_cast<double>(rub.weight));
+      const double share = mass * (static_cast<double>(weight) / static_cast<double>(rub.weight));
       add(sum, share * static_cast<double>(rub.x), share * static_cast<double>(rub.y),
           share * static_cast<double>(rub.z), static_cast<double>(w.armX + d.x * c.support),
           static_cast<double>(w.armY + d.y * c.support), static_cast<double>(w.armZ + d.z * c.support));

@@ -47,6 +47,10 @@ SPIN_HD_INLINE float bodyWeight(float volume, float slope) {
   return -volume * slope;
 }
 
+/// No step brings a flow particle nearer to a boundary particle than this, spacings: balls of that size about
+/// boundary particles a spacing apart leave no hole. Particles that press on each other stay a spacing off.
+inline constexpr float kClosestToBoundary = 0.75f;
+
 /// The wall lies in the middle between a particle that touches it and the boundary particle inside: the
 /// velocity extrapolated to there (Takeda et al. 1994) doubles the difference.
 inline constexpr float kBodyMirror = 2.0f;

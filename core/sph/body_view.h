@@ -34,11 +34,13 @@ struct BodyRecord {
   std::uint8_t surface;    ///< of its body
 };
 
-/// What the surfaces of bodies do along themselves to a flow particle: its acceleration, and the sum of
-/// weights that shares it out to the boundary particles.
+/// What the surfaces of bodies do to a flow particle besides pressure: its acceleration along them, with the
+/// sum of weights that shares it out to the boundary particles, and what one of them holds it off with.
 struct BodyRub {
   float x, y, z;  ///< m/s2
   float weight;
+  float holdX, holdY, holdZ;  ///< m/s2
+  std::uint32_t holder;       ///< sorted boundary particle; UINT32_MAX = none
 };
 
 /// Force and torque about the body's centre of mass, N and N m.

@@ -214,14 +214,15 @@ void FlowHostState::resize(std::size_t n) {
   excess.resize(n);
 }
 
-Status appendParticles(const FlowConfig& c, const std::vector<FlowParticle>& particles, std::uint32_t firstId,
+Status appendParticles(const FlowConfig& c, const std::vector<RigidState>& bodies,
+                       const std::vector<FlowParticle>& particles, std::uint32_t firstId,
                        FlowHostState& state) {
   constexpr const char* kParticles = "The particles cannot be used";
   const std::size_t before = state.size();
   if (before + particles.size() > INT32_MAX - kPairPadding || particles.size() > UINT32_MAX - firstId)
     return badInput(kParticles, {}, "there are more than 2^31");
   const FlowView view = flowView(c);
-  const SolidTest inSolid(c, view.walls);
+  const SolidTest inSolid(c, view.walls, bodies);
   state.resize(before + particles.size());
   std::size_t i = before;
   for (std::size_t k = 0; k < particles.size(); ++k) {

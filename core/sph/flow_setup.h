@@ -29,9 +29,11 @@ struct FlowHostState {
   std::size_t size() const { return x.size(); }
   void resize(std::size_t n);
 };
-/// Appends particles but those that lie in a solid; ids from firstId on, theirs too.
-Status appendParticles(const FlowConfig& config, const std::vector<FlowParticle>& particles,
-                       std::uint32_t firstId, FlowHostState& state);
+/// Appends particles but those that lie in a solid or in one of the bodies where they are now; ids from
+/// firstId on, theirs too.
+Status appendParticles(const FlowConfig& config, const std::vector<RigidState>& bodies,
+                       const std::vector<FlowParticle>& particles, std::uint32_t firstId,
+                       FlowHostState& state);
 FlowParticle flowParticle(const FlowConfig& config, const FlowHostState& state, std::size_t i);
 
 }  // namespace spin

@@ -60,7 +60,8 @@ class FlowSolverOn final : public FlowSolver {
   Status add(const std::vector<FlowParticle>& particles) override {
     return guarded([&]() -> Status {
       FlowHostState state = downloaded();
-      if (Status ok = appendParticles(m_config, particles, m_nextId, state); !ok) return ok;
+      if (Status ok = appendParticles(m_config, m_bodies.world().states(), particles, m_nextId, state); !ok)
+        return ok;
       m_nextId += static_cast<std::uint32_t>(particles.size());
       const std::size_t n = state.size();
       state.resize(n + kPairPadding);

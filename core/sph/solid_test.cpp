@@ -4,8 +4,10 @@
 
 namespace spin {
 
-SolidTest::SolidTest(const FlowConfig& config, const WallView& walls)
-    : m_origin(config.domainMin),
+SolidTest::SolidTest(const FlowConfig& config, const WallView& walls, const std::vector<RigidState>& bodies)
+    : m_config(config),
+      m_bodies(bodies),
+      m_origin(config.domainMin),
       m_walls(walls),
       m_heights(config.walls.ground.values),
       m_spacing(static_cast<float>(config.spacing)) {
@@ -18,9 +20,20 @@ SolidTest::SolidTest(const FlowConfig& config, const WallView& walls)
   m_walls.meshCount = static_cast<std::int32_t>(m_meshes.size());
 }
 
+bool SolidTest::inBody(const Vec3d& position) const {
+  for (std::size_t k = 0; k < m_bodies.size(); ++k) {
+    const RigidShape& shape = *m_config.bodies[k].shape;
+    const Vec3f p = m_bodies[k].toBody(position).to<float>();
+    SignedDistanceView::Value value;
+    if (shape.field->view({}).sample(p.x, p.y, p.z, value) && value.distance < -0.25f * m_spacing)
+      return true;
+  }
+  return false;
+}
+
 bool SolidTest::operator()(const Vec3d& position) const {
   const Vec3f p = (position - m_origin).to<float>();
-  bool inside = false;
+  bool inside = inBody(position);
   m_walls.near(p.x, p.y, p.z, m_spacing,
                [&](const WallContact& wall) { inside = inside || wall.distance < -0.25f * m_spacing; });
   return inside;

@@ -208,6 +208,48 @@ TYPED_TEST_P(FlowBodiesContract, APaddleFollowsItsMotionAndPushesTheFlow) {
             1e-5 * length(solver->outerImpulse()) + 1e-5);
 }
 
+TYPED_TEST_P(FlowBodiesContract, SprayAndJetsDoNotEnterBodies) {
+  FlowConfig c;
+  c.spacing = 0.05;
+  c.gravity = {};
+  c.countImpulse = true;
+  c.materials[0].soundSpeed = 100.0;
+  c.domainMin = {-5, -5, -5};
+  c.domainMax = {5, 5, 5};
+  const double d = c.spacing;
+  c.bodies = {this->body(testing::cubeMesh(8 * d), 400.0, {})};
+  c.bodies[0].start.orientation = turnedBy({}, {0.3, 0.5, 0.7});
+  auto particles = testing::lattice(c, 6, 6, 8, 0.1, {-3 * d, -3 * d, 8 * d});
+  const CounterRandom random{31, 5};
+  for (std::uint64_t k = 0; k < 200; ++k) {
+    FlowParticle p;
+    const auto u = [&](std::uint32_t n) { return 0.5 * (2.0 * random.uniformDouble(k, n) - 1.0); };
+    p.position = {u(0), u(1), 1.0 + u(2)};
+    particles.push_back(p);
+  }
+  // One that begins within the body is left out.
+  particles.emplace_back();
+  for (FlowParticle& p : particles) p.velocity = {0, 0, -10};
+  const auto solver = this->start(c, particles);
+  EXPECT_EQ(solver->count(), particles.size() - 1);
+  const auto momentum = this->momentum(*solver, c);
+  float deepest = 0.0f;
+  for (int k = 0; k < 40; ++k) {
+    this->runFor(*solver, 0.004);
+    const RigidState s = solver->bodies()[0];
+    for (const FlowSample& p : solver->samples()) {
+      const Vec3f q = s.toBody(p.particle.position).to<float>();
+      SignedDistanceView::Value value;
+      if (c.bodies[0].shape->field->view({}).sample(q.x, q.y, q.z, value))
+        deepest = std::min(deepest, value.distance);
+    }
+  }
+  EXPECT_EQ(solver->count(), particles.size() - 1) << "none has left the domain";
+  EXPECT_GT(static_cast<double>(deepest), -0.35 * d);
+  EXPECT_LT(solver->bodies()[0].velocity.z, -2.0);
+  EXPECT_LT(length(this->momentum(*solver, c) - momentum - solver->outerImpulse()), 1e-5 * length(momentum));
+}
+
 TYPED_TEST_P(FlowBodiesContract, StatesAreGivenBackAndSet) {
   FlowConfig c = testing::boxConfig(16, 16, 32);
   const double d = c.spacing;
@@ -241,6 +283,7 @@ REGISTER_TYPED_TEST_SUITE_P(FlowBodiesContract, ABoxFloatsAtArchimedesDepth,
                             MomentumOfFlowAndBodiesChangesByTheOuterImpulseOnly,
                             ABodyAHundredTimesDenserThanSnowSinksAndStaysStable,
                             ABodyLighterThanSnowStaysOnTop, ADamBreakCarriesABodyAway,
-                            APaddleFollowsItsMotionAndPushesTheFlow, StatesAreGivenBackAndSet);
+                            APaddleFollowsItsMotionAndPushesTheFlow, SprayAndJetsDoNotEnterBodies,
+                            StatesAreGivenBackAndSet);
 
 }  // namespace spin::contract
