@@ -41,7 +41,7 @@ void allowThreads(int threads) {
 CpuBackend::CpuBackend(int threads)
     : m_threads(threads > 0 ? threads : oneapi::tbb::info::default_concurrency()) {
   allowThreads(m_threads);
-  m_arena = std::make_unique<oneapi::tbb::task_arena>(m_threads);
+  m_arena = std::make_shared<oneapi::tbb::task_arena>(m_threads);
 }
 
 std::uint64_t CpuBackend::exclusiveScan(const char* name, const std::uint32_t* in, std::uint32_t* out,

@@ -35,6 +35,13 @@ class CpuBackend {
   /// threads <= 0 takes all the machine has; more than it has are really started.
   explicit CpuBackend(int threads = 0);
 
+  /// One that works with the same threads and books its own times.
+  CpuBackend sharingThreads() const {
+    CpuBackend other(*this);
+    other.m_timings.clear();
+    return other;
+  }
+
   int threads() const { return m_threads; }
   oneapi::tbb::task_arena& arena() { return *m_arena; }
   StageTimings& timings() { return m_timings; }
@@ -113,7 +120,7 @@ class CpuBackend {
 
  private:
   int m_threads;
-  std::unique_ptr<oneapi::tbb::task_arena> m_arena;
+  std::shared_ptr<oneapi::tbb::task_arena> m_arena;
   StageTimings m_timings;
   std::vector<std::uint32_t> m_scratch;  // second copy of the order while sorting
 };

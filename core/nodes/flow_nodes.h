@@ -113,11 +113,13 @@ struct FlowSettingsNode : NodeData {
   double soundSpeed = 0.0;    ///< m/s; 0 = from the depth and speed to be expected
   double longestStep = 0.02;  ///< s
   double smoothing = 0.1;     ///< c of XSPH
+  double viscosityCap = 0.0;  ///< Pa s; 0 = by spacing, so that it does not rule the step
   double windDrag = 0.0;      ///< 1/m
   double margin = 50.0;       ///< m, of the domain round sources and ground that flow can reach
   double headroom = 20.0;     ///< m, of the domain above the ground and the sources
   Vec3d domainMin{};          ///< m, local; equal corners = the domain is found
   Vec3d domainMax{};
+  bool closed = false;  ///< sides of the domain are smooth walls
   GroundGrip grip = GroundGrip::Coulomb;
   double turbulence = 0.0;  ///< xi, m/s2; 0 = none
   /// Coulomb's coefficients by GroundType.

@@ -111,6 +111,12 @@ constexpr PropertyRow kSettingsRows[] = {
         SPIN_TR("Share of the neighbours' velocity that a particle takes on (XSPH)."))
         .in(Unit::Factor)
         .range(0, 1, 0.05),
+    property<&FlowSettingsNode::viscosityCap>(
+        "viscosity_cap_pa_s", SPIN_TR("Viscosity cap"),
+        SPIN_TR("No viscosity is larger: less creep at rest asks for more steps; 0 finds one that leaves the "
+                "step alone."))
+        .in(Unit::PascalSecond)
+        .range(0, 1e9, 100),
     property<&FlowSettingsNode::windDrag>(
         "wind_drag_1_m", SPIN_TR("Wind drag"),
         SPIN_TR("Acceleration by the wind per square of the speed against it."))
@@ -135,6 +141,9 @@ constexpr PropertyRow kSettingsRows[] = {
                                            SPIN_TR("Highest corner of the box that flow stays in."))
         .in(Unit::Metre)
         .range(-1e6, 1e6, 1),
+    property<&FlowSettingsNode::closed>(
+        "closed_domain", SPIN_TR("Closed domain"),
+        SPIN_TR("The sides of the domain are smooth walls; otherwise flow leaves there.")),
     property<&FlowSettingsNode::grip>("ground_grip", SPIN_TR("Ground holds by"),
                                       SPIN_TR("How the ground holds what flows over it."))
         .oneOf(kGrips),

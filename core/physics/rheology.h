@@ -36,6 +36,8 @@ struct Rheology {
   float least = 0.0f;             ///< Pa s; the result is held within [least, most]
   float most = 1e9f;              ///< Pa s
 
+  friend bool operator==(const Rheology&, const Rheology&) = default;
+
   /// Needs the shear rate; a Newtonian fluid does not.
   SPIN_HD_INLINE bool needsShearRate() const { return law != RheologyLaw::Newtonian; }
 };

@@ -10,12 +10,18 @@
 #include <vector>
 
 #include "core/base/cancel.h"
+#include "core/base/cpu_features.h"
 #include "core/base/parallel.h"
 #include "core/fields/ray_scene.h"
 #include "core/sim/frame.h"
 #include "core/sim/snapshot.h"
 
 namespace spin {
+
+struct FlowConfig;
+class FlowSolver;
+/// Makes the particle solver on the device that a run was asked for; empty: on the processor.
+using FlowSolverFactory = std::function<Result<std::unique_ptr<FlowSolver>>(const FlowConfig&)>;
 
 /// What processes hand to each other within a step, by type: the exposure to the cover, the weather to all.
 class Exchange {
@@ -44,6 +50,8 @@ struct ProcessContext {
   const CancelToken& cancel;
   Exchange& exchange;
   std::function<void(double)> progress;  ///< fraction 0..1 of the current step; may be empty
+  Isa isa = bestIsa();                   ///< instruction set of hot loops
+  FlowSolverFactory makeFlowSolver = {};
 };
 
 /// A step from one frame to the next.

@@ -18,7 +18,8 @@ struct RunOptions {
   int threads = 0;           ///< 0 = all
   std::string isa = "auto";  ///< auto | avx512 | avx2 | baseline; part of the backend's name and the keys
   RaySceneFactory makeRayScene = makeBvhRayScene;
-  bool lowPriority = false;  ///< leave the processor to the user's window (Runner always does)
+  FlowSolverFactory makeFlowSolver = {};  ///< empty: on the processor, with `isa`
+  bool lowPriority = false;               ///< leave the processor to the user's window (Runner always does)
   std::vector<ProcessType> types = processTypes();  ///< the processes to choose from
 };
 

@@ -51,6 +51,7 @@ class SimulationRun {
         m_callbacks(callbacks),
         m_cancel(cancel),
         m_backend(options.threads),
+        m_isa(chooseIsa(options.isa) ? *chooseIsa(options.isa) : bestIsa()),
         m_backendName(backendName(options.isa)),
         m_pipeline(Pipeline::compile(scene, options.types)),
         m_settings(scene.settings<SimulationNode>(0.0)) {
@@ -79,6 +80,7 @@ class SimulationRun {
   const CancelToken& m_cancel;
   CpuBackend m_backend;
   std::optional<LowPriorityArena> m_lowPriority;
+  Isa m_isa;
   std::string m_backendName;
   Pipeline m_pipeline;
   SimulationNode m_settings;
@@ -98,8 +100,13 @@ class SimulationRun {
 };
 
 ProcessContext SimulationRun::context() {
-  return {m_backend, m_options.makeRayScene, m_cancel, m_pipeline.exchange(),
-          [this](double fraction) { report(fraction, false); }};
+  return {m_backend,
+          m_options.makeRayScene,
+          m_cancel,
+          m_pipeline.exchange(),
+          [this](double fraction) { report(fraction, false); },
+          m_isa,
+          m_options.makeFlowSolver};
 }
 
 void SimulationRun::discardState() {

@@ -12,6 +12,20 @@
 /// The stages that go over single particles or rows, and the pair passes in their thread-per-particle form.
 namespace spin {
 
+/// Dead particles that are still in the arrays, by material.
+struct FlowLossCount {
+  std::uint32_t left[kMostMaterials], sunk[kMostMaterials];
+};
+struct JoinLosses {
+  SPIN_HD FlowLossCount operator()(FlowLossCount a, const FlowLossCount& b) const {
+    for (std::size_t m = 0; m < kMostMaterials; ++m) {
+      a.left[m] += b.left[m];
+      a.sunk[m] += b.sunk[m];
+    }
+    return a;
+  }
+};
+
 /// Cells that particles lie in, how many particles live, and the number of one whose state is not finite.
 struct FlowBounds {
   std::int32_t lowY, highY, lowZ, highZ;
@@ -285,6 +299,7 @@ struct IntegrateKernel {
       const float speed = squareRoot(slide.x * slide.x + slide.y * slide.y + slide.z * slide.z);
       const float loss = surface.tangent * gain;
       keep = speed > loss ? 1.0f - loss / speed : 0.0f;
+      keep /= 1.0f + kick * wallTurbulentRate(s, surface.turbulence * speed, c.support);
     }
     velocity.x -= (1.0f - keep) * slide.x;
     velocity.y -= (1.0f - keep) * slide.y;
@@ -342,6 +357,11 @@ struct IntegrateKernel {
     PairRecord& r = v.record[i];
     const float wallRate = v.rate && (v.extra[i].flags & kNearWall) ? wallDensityRate(i) : 0.0f;
     const PairVector<float> velocity = newVelocity(i);
+    if (v.sampled) {
+      v.ax[i] = (velocity.x - r.vx) / kick;
+      v.ay[i] = (velocity.y - r.vy) / kick;
+      v.az[i] = (velocity.z - r.vz) / kick;
+    }
     r.vx = velocity.x;
     r.vy = velocity.y;
     r.vz = velocity.z;
@@ -358,6 +378,10 @@ struct IntegrateKernel {
     const bool in = v.x[i] >= 0 && v.y[i] >= 0 && v.z[i] >= 0 && v.x[i] < v.domainX && v.y[i] < v.domainY &&
                     v.z[i] < v.domainZ;
     if (!in) v.extra[i].flags |= kDead;
+    if (in && v.sinks.count > 0) {
+      const PairVector<float> p = metresOf(v, i);
+      if (v.sinks.take(p.x, p.y, p.z)) v.extra[i].flags |= kDead | kSunk;
+    }
   }
 };
 
@@ -408,6 +432,32 @@ struct PairKernel {
     pass.write(v, own);
   }
 };
+/// Particles within the support, itself left out.
+struct NeighbourKernel {
+  FlowView v;
+  SPIN_HD void operator()(std::size_t i) const {
+    std::uint32_t found = 0;
+    forRowRanges(v, v.y[i] >> kCellBits, v.z[i] >> kCellBits, v.x[i], v.x[i], [&](const RowRange& range) {
+      for (std::uint32_t j = range.begin; j < range.end; ++j) {
+        const PairVector<float> offset = pairOffset(v, i, j, range);
+        found += offset.x * offset.x + offset.y * offset.y + offset.z * offset.z < 1.0f ? 1u : 0u;
+      }
+    });
+    v.neighbours[i] = found - 1u;
+  }
+};
+
+/// Dead particles by material and cause.
+struct LossesOf {
+  FlowView v;
+  SPIN_HD FlowLossCount operator()(std::size_t i) const {
+    FlowLossCount count{};
+    const ParticleExtra& extra = v.extra[i];
+    if (extra.flags & kDead) (extra.flags & kSunk ? count.sunk : count.left)[extra.material] = 1;
+    return count;
+  }
+};
+
 template <class Lanes>
 using PlainForcePass = ForcePass<Lanes, false, false>;
 template <class Lanes>

@@ -60,6 +60,10 @@ Status checkWalls(const FlowWallsConfig& walls) {
     return badConfig("planes", fmt::format("at most {} fit", kMostPlanes));
   if (walls.surfaces.empty() || walls.surfaces.size() > kMostSurfaces)
     return badConfig("surfaces", fmt::format("1 to {} are allowed", kMostSurfaces));
+  for (const WallSurface& surface : walls.surfaces)
+    if (!inRange(static_cast<double>(surface.tangent), 0.0, 1e3) ||
+        !inRange(static_cast<double>(surface.turbulence), 0.0, 1e6))
+      return badConfig("surfaces", "friction coefficients are finite and not below 0");
   for (const auto& plane : walls.planes)
     if (!isFinite(plane.point) || !isFinite(plane.velocity) || !(length(plane.normal) > 0.0) ||
         !isFinite(plane.normal) || plane.surface >= walls.surfaces.size())
@@ -81,6 +85,36 @@ Status checkBodies(const FlowConfig& c) {
   for (const RigidBodyConfig& body : c.bodies)
     if (body.surface >= c.walls.surfaces.size()) return badConfig("bodies", "a body has no surface");
   return {};
+}
+
+Status checkSinks(const std::vector<FlowSinkConfig>& sinks) {
+  if (sinks.size() > kMostSinks) return badConfig("sinks", fmt::format("at most {} fit", kMostSinks));
+  for (const FlowSinkConfig& sink : sinks)
+    if (!isFinite(sink.low) || !isFinite(sink.high) || !isFinite(sink.point) || !isFinite(sink.normal))
+      return badConfig("sinks", "a sink's place or direction is not finite");
+  return {};
+}
+
+void setSinks(const FlowConfig& c, SinkView& view) {
+  view.count = static_cast<std::int32_t>(c.sinks.size());
+  for (std::size_t k = 0; k < c.sinks.size(); ++k) {
+    const FlowSinkConfig& sink = c.sinks[k];
+    const double size = length(sink.normal);
+    const Vec3d n = size > 0.0 ? sink.normal * (1.0 / size) : Vec3d{};
+    const Vec3f low = (sink.low - c.domainMin).to<float>(), high = (sink.high - c.domainMin).to<float>();
+    // Without a plane everything counts as behind it.
+    const double offset = size > 0.0 ? dot(n, sink.point - c.domainMin) : 1.0;
+    view.sinks[k] = {low.x,
+                     low.y,
+                     low.z,
+                     high.x,
+                     high.y,
+                     high.z,
+                     static_cast<float>(n.x),
+                     static_cast<float>(n.y),
+                     static_cast<float>(n.z),
+                     static_cast<float>(offset)};
+  }
 }
 
 void setWalls(const FlowConfig& c, WallView& view) {
@@ -166,6 +200,7 @@ Status checkFlowConfig(const FlowConfig& c) {
   for (int axis = 0; axis < 3; ++axis)
     if (Status ok = checkAxis(c, axis); !ok) return ok;
   if (Status ok = checkBodies(c); !ok) return ok;
+  if (Status ok = checkSinks(c.sinks); !ok) return ok;
   return checkWalls(c.walls);
 }
 
@@ -189,6 +224,22 @@ Status makeMeshFields(FlowConfig& c, int threads, const CancelToken& cancel) {
   return {};
 }
 
+Status checkReconfiguration(const FlowConfig& from, const FlowConfig& to) {
+  if (Status ok = checkFlowConfig(to); !ok) return ok;
+  const auto kept = [&](const auto FlowConfig::*member) { return from.*member == to.*member; };
+  bool same = kept(&FlowConfig::spacing) && kept(&FlowConfig::supportSpacings) &&
+              kept(&FlowConfig::domainMin) && kept(&FlowConfig::domainMax) && kept(&FlowConfig::density) &&
+              kept(&FlowConfig::leapFrog) && from.materials.size() == to.materials.size() &&
+              from.walls.ground.hasShapeOf(to.walls.ground) &&
+              from.walls.meshes.size() == to.walls.meshes.size() &&
+              from.walls.groundSurfaces.size() == to.walls.groundSurfaces.size() &&
+              needsShearRate(from) == needsShearRate(to) && (from.smoothing > 0.0) == (to.smoothing > 0.0);
+  for (int axis = 0; axis < 3; ++axis) same = same && from.periodic[axis] == to.periodic[axis];
+  if (!same)
+    return badConfig("configuration", "spacing, domain, materials and ground must stay as they were");
+  return {};
+}
+
 FlowView flowView(const FlowConfig& c) {
   FlowView view;
   view.constants = flowConstants(c);
@@ -203,6 +254,7 @@ FlowView flowView(const FlowConfig& c) {
   view.grid.periodX = period(0), view.grid.periodY = period(1), view.grid.periodZ = period(2);
   view.grid.morton = c.cellOrder == CellOrder::Morton;
   setWalls(c, view.walls);
+  setSinks(c, view.sinks);
   return view;
 }
 

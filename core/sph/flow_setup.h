@@ -18,6 +18,9 @@ FlowView flowView(const FlowConfig& config);
 /// Whether any material needs the shear rate.
 bool needsShearRate(const FlowConfig& config);
 
+/// Whether a solver of one configuration can go on with the other: see FlowSolver::reconfigure.
+Status checkReconfiguration(const FlowConfig& from, const FlowConfig& to);
+
 /// Particles as the solver's arrays hold them.
 struct FlowHostState {
   std::vector<std::int32_t> x, y, z;

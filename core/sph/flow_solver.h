@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "core/math/vec.h"
 #include "core/physics/rheology.h"
 #include "core/rigid/rigid_body.h"
+#include "core/sph/flow_view.h"
 #include "core/sph/wall_view.h"
 
 namespace spin {
@@ -49,6 +51,13 @@ struct FlowWallsConfig {
   std::vector<WallSurface> surfaces{1};  ///< kMostSurfaces at most
 };
 
+/// Takes particles out: those within the box, and behind the plane where there is a normal. World metres.
+struct FlowSinkConfig {
+  Vec3d low{-1e30, -1e30, -1e30}, high{1e30, 1e30, 1e30};
+  Vec3d point{};
+  Vec3d normal{};  ///< towards what stays; 0 = the box alone
+};
+
 /// Summation takes the density anew from where particles are; continuity carries it along and smooths it by
 /// diffusion, so the pressure is quieter and a step cheaper.
 enum class DensityMode : std::uint8_t { Summation, Continuity };
@@ -81,6 +90,7 @@ struct FlowConfig {
   std::vector<RigidBodyConfig> bodies;  ///< in the flow, and on the walls; world metres
   double bodyGroundFriction = 0.6;      ///< Coulomb's, of bodies on walls; with theirs the geometric mean
   bool countImpulse = false;            ///< keep FlowSolver::outerImpulse(): a pass more a step
+  std::vector<FlowSinkConfig> sinks;    ///< kMostSinks at most
 
   double support() const { return supportSpacings * spacing; }
   double particleMass(std::size_t material) const {
@@ -103,7 +113,8 @@ struct FlowSample {
   double pressure = 0.0;     ///< Pa
   double viscosity = 0.0;    ///< Pa s
   double shearRate = 0.0;    ///< 1/s; 0 where no material needs it
-  Vec3d pairAcceleration{};  ///< by neighbours alone, m/s2
+  Vec3d pairAcceleration{};  ///< by neighbours alone, m/s2; after a sampled step, of all that acted
+  int neighbours = -1;       ///< within the support; -1 unless the latest step was sampled
 };
 
 enum class StepLimit : std::uint8_t { Asked, Sound, Force, Viscous };
@@ -112,6 +123,15 @@ struct FlowStep {
   double seconds = 0.0;
   StepLimit limit = StepLimit::Asked;
 };
+
+/// Particles that are no longer there, by material.
+struct FlowLosses {
+  std::array<std::uint64_t, kMostMaterials> left{};  ///< beyond the domain
+  std::array<std::uint64_t, kMostMaterials> sunk{};  ///< taken out by sinks
+};
+
+class CpuBackend;
+struct FlowSolverState;
 
 /// One solver on one device. Fails with what, particle and stage where a state is not finite; the particles
 /// are then of no use any more.
@@ -135,6 +155,19 @@ class FlowSolver {
   /// With countImpulse: what all but flow and moving bodies gave both since the start, N s: gravity, wind,
   /// walls, kinematic bodies. Their momentum changes by just that, while no particle leaves.
   virtual Vec3d outerImpulse() const = 0;
+  /// Since the beginning.
+  virtual FlowLosses losses() const = 0;
+  /// All that going on needs, bit for bit (core/sph/flow_state.h).
+  virtual FlowSolverState state() const = 0;
+  /// Takes the place of all particles and of the past; fails where the state does not fit the configuration,
+  /// and then changes nothing.
+  virtual Status restore(const FlowSolverState& state) = 0;
+  /// Changes wind, gravity, friction, sinks, planes and the step's factors; keeps the particles. Fails where
+  /// anything else differs.
+  virtual Status reconfigure(const FlowConfig& config) = 0;
+  /// Whether steps from now on keep the neighbour count and the whole acceleration for samples(), at the
+  /// price of another search.
+  virtual void sample(bool on) = 0;
   virtual StageTimings& timings() = 0;
   /// Memory of all arrays, bytes.
   virtual std::size_t bytes() const = 0;
@@ -144,5 +177,8 @@ class FlowSolver {
 
 /// On the processor; threads <= 0 takes all. Fails where a value is out of range.
 Result<std::unique_ptr<FlowSolver>> makeFlowSolverCpu(const FlowConfig& config, int threads, Isa isa);
+/// On the threads of a backend that the caller has.
+Result<std::unique_ptr<FlowSolver>> makeFlowSolverCpu(const FlowConfig& config, const CpuBackend& like,
+                                                      Isa isa);
 
 }  // namespace spin

@@ -27,11 +27,16 @@ struct FlowPasses<CpuBackend> {
 };
 
 Result<std::unique_ptr<FlowSolver>> makeFlowSolverCpu(const FlowConfig& config, int threads, Isa isa) {
+  return makeFlowSolverCpu(config, CpuBackend(threads), isa);
+}
+
+Result<std::unique_ptr<FlowSolver>> makeFlowSolverCpu(const FlowConfig& config, const CpuBackend& like,
+                                                      Isa isa) {
   if (const Status ok = checkFlowConfig(config); !ok) return ok.error();
   FlowConfig ready = config;
-  if (const Status ok = makeMeshFields(ready, threads); !ok) return ok.error();
+  if (const Status ok = makeMeshFields(ready, like.threads()); !ok) return ok.error();
   std::unique_ptr<FlowSolver> solver = std::make_unique<FlowSolverOn<CpuBackend>>(
-      ready, CpuBackend(threads), FlowPasses<CpuBackend>{flowLoopsFor(isa)});
+      ready, like.sharingThreads(), FlowPasses<CpuBackend>{flowLoopsFor(isa)});
   return solver;
 }
 

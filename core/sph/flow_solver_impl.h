@@ -14,6 +14,7 @@
 #include "core/sph/flow_bodies.h"
 #include "core/sph/flow_kernels.h"
 #include "core/sph/flow_setup.h"
+#include "core/sph/flow_state.h"
 #include "core/sph/mesh_walls.h"
 
 namespace spin {
@@ -63,20 +64,46 @@ class FlowSolverOn final : public FlowSolver {
       if (Status ok = appendParticles(m_config, m_bodies.world().states(), particles, m_nextId, state); !ok)
         return ok;
       m_nextId += static_cast<std::uint32_t>(particles.size());
-      const std::size_t n = state.size();
-      state.resize(n + kPairPadding);
-      m_backend.upload(state.x, m_x);
-      m_backend.upload(state.y, m_y);
-      m_backend.upload(state.z, m_z);
-      m_backend.upload(state.records, m_record);
-      m_backend.upload(state.extras, m_extra);
-      m_backend.upload(state.ids, m_id);
-      m_backend.upload(state.excess, m_excess);
-      m_view.count = static_cast<std::uint32_t>(n);
-      allocate(n);
-      point();
+      take(std::move(state));
       return {};
     });
+  }
+
+  FlowSolverState state() const override { return {downloaded(), m_nextId, m_lastStep, m_losses}; }
+
+  Status restore(const FlowSolverState& state) override {
+    if (Status ok = checkState(m_config, state); !ok) return ok;
+    return guarded([&]() -> Status {
+      take(state.particles);
+      m_nextId = state.nextId;
+      m_lastStep = state.lastStep;
+      m_losses = state.losses;
+      return {};
+    });
+  }
+
+  Status reconfigure(const FlowConfig& config) override {
+    if (Status ok = checkReconfiguration(m_config, config); !ok) return ok;
+    const FlowView fresh = flowView(config);
+    // Solids stay as they are: the fields of meshes were made at the start.
+    FlowWallsConfig walls = config.walls;
+    walls.meshes = std::move(m_config.walls.meshes);
+    m_config = config;
+    m_config.walls = std::move(walls);
+    m_view.constants = fresh.constants;
+    m_view.walls = fresh.walls;
+    m_view.sinks = fresh.sinks;
+    m_meshes.point(m_view.walls);
+    point();
+    return {};
+  }
+
+  void sample(bool on) override { m_sampling = on; }
+
+  FlowLosses losses() const override {
+    FlowLosses all = m_losses;
+    addDead(all);
+    return all;
   }
 
   Result<FlowStep> step(double most) override {
@@ -96,6 +123,8 @@ class FlowSolverOn final : public FlowSolver {
     m_backend.download(m_ax, ax);
     m_backend.download(m_ay, ay);
     m_backend.download(m_az, az);
+    std::vector<std::uint32_t> neighbours;
+    if (m_view.sampled) m_backend.download(m_neighbours, neighbours);
     std::vector<FlowSample> result;
     result.reserve(state.size());
     for (std::size_t i = 0; i < state.size(); ++i) {
@@ -105,7 +134,8 @@ class FlowSolverOn final : public FlowSolver {
       result.push_back({flowParticle(m_config, state, i), static_cast<double>(r.restDensity) * e,
                         static_cast<double>(r.pressureTerm) * e * e, static_cast<double>(r.viscosity),
                         shear.empty() ? 0.0 : static_cast<double>(shear[i]),
-                        Vec3f{ax[i], ay[i], az[i]}.template to<double>()});
+                        Vec3f{ax[i], ay[i], az[i]}.template to<double>(),
+                        neighbours.empty() ? -1 : static_cast<int>(neighbours[i])});
     }
     std::sort(result.begin(), result.end(),
               [](const FlowSample& a, const FlowSample& b) { return a.particle.id < b.particle.id; });
@@ -127,7 +157,8 @@ class FlowSolverOn final : public FlowSolver {
               m_otherExcess, m_rate, m_ax, m_ay, m_az) +
            of(m_sx, m_sy, m_sz, m_shear, m_id, m_otherId, m_key, m_otherKey, m_order, m_rows, m_rowBins,
               m_binStart) +
-           of(m_ground, m_groundSurfaces) + m_meshes.bytes() + m_bodies.bytes() + m_backend.scratchBytes();
+           of(m_ground, m_groundSurfaces, m_neighbours) + m_meshes.bytes() + m_bodies.bytes() +
+           m_backend.scratchBytes();
   }
 
  private:
@@ -167,6 +198,33 @@ class FlowSolverOn final : public FlowSolver {
     m_backend.download(m_excess, state.excess);
     state.resize(m_view.count);
     return state;
+  }
+
+  /// Makes these the particles.
+  void take(FlowHostState state) {
+    const std::size_t n = state.size();
+    state.resize(n + kPairPadding);
+    m_backend.upload(state.x, m_x);
+    m_backend.upload(state.y, m_y);
+    m_backend.upload(state.z, m_z);
+    m_backend.upload(state.records, m_record);
+    m_backend.upload(state.extras, m_extra);
+    m_backend.upload(state.ids, m_id);
+    m_backend.upload(state.excess, m_excess);
+    m_view.count = static_cast<std::uint32_t>(n);
+    m_view.sampled = false;
+    allocate(n);
+    point();
+  }
+
+  /// Counts the dead that are still in the arrays.
+  void addDead(FlowLosses& losses) const {
+    const FlowLossCount dead =
+        m_backend.reduce("losses", m_view.count, FlowLossCount{}, LossesOf{m_view}, JoinLosses{});
+    for (std::size_t m = 0; m < kMostMaterials; ++m) {
+      losses.left[m] += dead.left[m];
+      losses.sunk[m] += dead.sunk[m];
+    }
   }
 
   void allocate(std::size_t n) {
@@ -232,6 +290,8 @@ class FlowSolverOn final : public FlowSolver {
     m_view.constants.timeStep = static_cast<float>(done.seconds);
     const double kick = m_config.leapFrog ? 0.5 * (m_lastStep + done.seconds) : done.seconds;
     m_lastStep = done.seconds;
+    m_view.sampled = m_sampling;
+    if (m_sampling) countNeighbours();
     const IntegrateKernel integrate{m_view, static_cast<float>(kick)};
     const std::vector<RigidImpulse> impulses = actOnBodies(kick);
     if (m_config.countImpulse) countImpulse(integrate);
@@ -255,6 +315,12 @@ class FlowSolverOn final : public FlowSolver {
     m_outer += Vec3d{sum.x, sum.y, sum.z};
   }
 
+  void countNeighbours() {
+    if (m_neighbours.size() < m_view.count) m_neighbours.resize(m_view.count);
+    m_view.neighbours = m_neighbours.data();
+    m_backend.forEach("neighbours", m_view.count, NeighbourKernel{m_view});
+  }
+
   static void chooseStep(const StepLimits& limits, FlowStep& done) {
     const auto limit = [&](float seconds, StepLimit kind) {
       if (static_cast<double>(seconds) < done.seconds) done = {static_cast<double>(seconds), kind};
@@ -269,6 +335,7 @@ class FlowSolverOn final : public FlowSolver {
     const FlowBounds bounds =
         m_backend.reduce("rows", m_view.count, noBounds(), BoundsOf{m_view}, JoinBounds{});
     if (bounds.broken != UINT32_MAX) return notFinite(bounds.broken, "integrate");
+    if (bounds.alive < m_view.count) addDead(m_losses);
     if (bounds.alive == 0) {
       m_view.count = 0;
       return {};
@@ -333,7 +400,9 @@ class FlowSolverOn final : public FlowSolver {
   FlowPasses<Backend> m_passes;
   FlowView m_view;
   std::uint32_t m_nextId = 0;
-  Vec3d m_outer{};          ///< N s
+  Vec3d m_outer{};      ///< N s
+  FlowLosses m_losses;  ///< those dropped from the arrays
+  bool m_sampling = false;
   double m_lastStep = 0.0;  ///< 0 before the first: the leap-frog's first kick is half a step
   Array<std::int32_t> m_x, m_y, m_z, m_otherX, m_otherY, m_otherZ;
   Array<PairRecord> m_record;
@@ -342,7 +411,7 @@ class FlowSolverOn final : public FlowSolver {
   Array<std::uint8_t> m_groundSurfaces;
   MeshWalls<Backend> m_meshes;
   FlowBodies<Backend> m_bodies;
-  Array<std::uint32_t> m_id, m_otherId, m_key, m_otherKey, m_order, m_rowBins, m_binStart;
+  Array<std::uint32_t> m_id, m_otherId, m_key, m_otherKey, m_order, m_rowBins, m_binStart, m_neighbours;
   Array<FlowRow> m_rows;
 };
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/physics/rheology.h"
+#include "core/sph/sink_view.h"
 #include "core/sph/wall_view.h"
 
 namespace spin {
@@ -93,6 +94,7 @@ struct ParticleExtra {
 };
 inline constexpr std::uint8_t kDead = 1;      ///< left the domain, or taken out
 inline constexpr std::uint8_t kNearWall = 2;  ///< a solid is within reach
+inline constexpr std::uint8_t kSunk = 4;      ///< dead by a sink
 
 struct FlowMaterial {
   Rheology rheology;
@@ -141,6 +143,9 @@ struct FlowView {
   std::int32_t domainX = 0, domainY = 0, domainZ = 0;  ///< end of the domain, units; it begins at 0
   FlowConstants constants;
   WallView walls;
+  SinkView sinks;
+  bool sampled = false;                 ///< the acceleration of all that acted goes into ax, ay, az
+  std::uint32_t* neighbours = nullptr;  ///< within the support; null unless sampled
 };
 
 }  // namespace spin

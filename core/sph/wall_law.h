@@ -53,6 +53,13 @@ SPIN_HD_INLINE float wallDragRate(float s, float distance, float kinematicViscos
   return 2.0f * kinematicViscosity * CubicSpline::planeIntegral(s) / (support * distance);
 }
 
+/// Rate at which a rough wall takes up the velocity along it by the stress rho k v^2 (Voellmy 1955, with k =
+/// g / xi), 1/s: 2 k v P(s) / h. Summed over the layers in reach it gives the stress, because the integral of
+/// P over s is 1/2.
+SPIN_HD_INLINE float wallTurbulentRate(float s, float turbulenceTimesSpeed, float support) {
+  return 2.0f * turbulenceTimesSpeed * CubicSpline::planeIntegral(s) / support;
+}
+
 /// Divergence by a wall per speed away from it, 1/m: (s P(s) + lambda(s)) / d, from sum V (v_i - v) . grad W
 /// over the half-space with the extrapolated velocity.
 SPIN_HD_INLINE float wallDilation(float s, float distance) {

@@ -17,7 +17,8 @@ enum class WallFriction : std::uint8_t { FreeSlip, NoSlip, Coulomb };
 
 struct WallSurface {
   WallFriction friction = WallFriction::NoSlip;
-  float tangent = 0.0f;  ///< Coulomb: friction coefficient
+  float tangent = 0.0f;     ///< Coulomb: friction coefficient
+  float turbulence = 0.0f;  ///< Coulomb: g / xi of Voellmy's law, adds rho turbulence v^2 to the shear stress
 };
 inline constexpr std::size_t kMostSurfaces = 16;
 inline constexpr std::size_t kMostPlanes = 8;

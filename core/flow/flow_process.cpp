@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/flow/flow_process.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/flow/flow_estimate.h"
+#include "core/flow/flow_frame.h"
+#include "core/flow/flow_inputs.h"
+#include "core/flow/flow_scene.h"
+#include "core/flow/flow_state_io.h"
+#include "core/flow/inflow.h"
+
+namespace spin {
+namespace {
+
+/// Events nearer than this are at the same time, s.
+constexpr double kSameTime = 1e-9;
+/// Lattices that are due within this share of their interval are due.
+constexpr double kDue = 1.0 - 1e-9;
+
+double middleFilm(const StepInput& input) {
+  return 0.5 * (input.from.film + input.to.film);
+}
+
+/// One source during one frame.
+struct ActiveInflow {
+  InflowLattice lattice;
+  double start = 0.0, stop = 0.0;  ///< s of film
+  bool runs(double now) const {
+    return lattice.interval > 0.0 && now >= start - kSameTime && now < stop - kSameTime;
+  }
+};
+
+class FlowProcess final : public Process {
+ public:
+  const char* id() const override { return "flow"; }
+
+  void hashInputs(const StepInput& input, Hasher& hasher) const override { hashFlowInputs(input, hasher); }
+
+  Status begin(const SceneSnapshot& scene, ProcessContext& context) override {
+    if (Status made = makeSolver(scene, context); !made) return made;
+    return release(scene, 0.0);
+  }
+
+  Status step(const StepInput& input, ProcessContext& context) override {
+    updateFlowConfig(input.scene, middleFilm(input), m_config);
+    if (Status kept = m_solver->reconfigure(m_config); !kept) return kept;
+    m_longest = input.scene.settings<FlowSettingsNode>(middleFilm(input)).longestStep;
+    m_steps = {};
+    const Status done = advance(input, context);
+    context.backend.timings().merge(m_solver->timings());
+    m_solver->timings().clear();
+    return done;
+  }
+
+  void publish(const SceneSnapshot&, const FrameTime&, Frame& frame) const override {
+    publishFlow({*m_solver, m_config, m_births, m_account, m_steps, m_layers}, frame);
+  }
+
+  void saveState(ByteWriter& out) const override {
+    out.putArray(m_released);
+    out.putArray(m_clocks);
+    out.putArray(m_births);
+    out.put(m_account);
+    out.put(m_lastStep);
+    saveFlowState(m_solver->state(), out);
+  }
+
+  Status loadState(const SceneSnapshot& scene, ProcessContext& context, ByteReader& in) override {
+    if (Status made = makeSolver(scene, context); !made) return made;
+    const std::size_t releases = m_released.size(), clocks = m_clocks.size();
+    m_released = in.getArray<std::uint8_t>();
+    m_clocks = in.getArray<InflowClock>();
+    m_births = in.getArray<FlowBirth>();
+    m_account = in.get<FlowAccount>();
+    m_lastStep = in.get<double>();
+    const FlowSolverState state = loadFlowState(in);
+    const bool fits = in.ok() && m_released.size() == releases && m_clocks.size() == clocks &&
+                      m_lastStep >= 0.0 &&
+                      std::all_of(m_clocks.begin(), m_clocks.end(),
+                                  [](const InflowClock& clock) { return std::isfinite(clock.share); });
+    if (!fits)
+      return badInput("The checkpoint could not be used", "flow", "its sources do not fit the scene");
+    return m_solver->restore(state);
+  }
+
+  void estimate(const SceneSnapshot& scene, double& stateBytes, double& frameBytes) const override {
+    const FlowEstimate need = estimateFlow(scene);
+    stateBytes = need.particles * kFlowStateBytes;
+    frameBytes = need.particles * flowFrameBytes();
+  }
+
+ private:
+  Status makeSolver(const SceneSnapshot& scene, ProcessContext& context) {
+    const FlowScene flow = makeFlowScene(scene, 0.0);
+    if (const FlowIssue* issue = flow.fatal())
+      return badInput("The flow cannot start", issue->node, issue->text);
+    m_config = flow.config;
+    m_releases.clear();
+    for (const FlowRelease& r : flow.releases)
+      m_releases.push_back({r.node->id, r.data.releaseTime, r.material});
+    m_inflowMaterials.clear();
+    for (const FlowInflow& inflow : flow.inflows) m_inflowMaterials.push_back(inflow.material);
+    m_layers = 0;
+    for (const FlowRelease& r : flow.releases) m_layers = m_layers ? std::min(m_layers, r.layers) : r.layers;
+    m_released.assign(m_releases.size(), 0);
+    m_clocks.assign(flow.inflows.size(), InflowClock{});
+    m_births.clear();
+    m_account = {};
+    m_lastStep = 0.0;
+    m_steps = {};
+    Result<std::unique_ptr<FlowSolver>> made =
+        context.makeFlowSolver ? context.makeFlowSolver(m_config)
+                               : makeFlowSolverCpu(m_config, context.backend, context.isa);
+    if (!made) return made.error();
+    m_solver = std::move(*made);
+    return {};
+  }
+
+  /// Fills the slabs that are due.
+  Status release(const SceneSnapshot& scene, double now) {
+    const bool land = scene.terrain && !scene.terrain->heights.empty();
+    const FlowGround ground(land ? &scene.terrain->heights : nullptr);
+    for (std::size_t k = 0; k < m_releases.size(); ++k) {
+      if (m_released[k] || m_releases[k].time > now + kSameTime) continue;
+      m_released[k] = 1;
+      for (const SceneNode& node : scene.nodes) {
+        if (node.id != m_releases[k].node) continue;
+        const auto data = static_cast<const AvalancheReleaseNode&>(*evaluate(node, 0.0));
+        const Slab slab =
+            fillSlab(ReleaseArea(node, ground), ground, data.depth, data.depthIsVertical, m_config.spacing);
+        if (Status added = enter(slab.positions, {}, m_releases[k].material, now, m_account.released); !added)
+          return added;
+      }
+    }
+    return {};
+  }
+
+  Status enter(const std::vector<Vec3d>& positions, Vec3d velocity, std::uint8_t material, double now,
+               std::array<std::uint64_t, kMostMaterials>& account) {
+    std::vector<FlowParticle> particles;
+    particles.reserve(positions.size());
+    for (const Vec3d& p : positions) particles.push_back({p, velocity, material, 0});
+    std::uint64_t before = 0;
+    for (const auto* counts : {&m_account.released, &m_account.inflow})
+      for (const std::uint64_t count : *counts) before += count;
+    if (Status added = m_solver->add(particles); !added) return added;
+    // Numbers go on from the last one, so they tell the time of birth.
+    m_births.push_back({static_cast<std::uint32_t>(before), now});
+    account[material] += particles.size();
+    return {};
+  }
+
+  std::vector<ActiveInflow> activeInflows(const StepInput& input) const {
+    std::vector<ActiveInflow> list;
+    for (const SceneNode* node : input.scene.all<WaterSourceNode>()) {
+      const auto source = static_cast<const WaterSourceNode&>(*evaluate(*node, middleFilm(input)));
+      list.push_back({inflowLattice(input.scene, source, m_config.spacing), source.start, source.stop});
+    }
+    return list;
+  }
+
+  Status inflow(const std::vector<ActiveInflow>& inflows, double now) {
+    for (std::size_t k = 0; k < inflows.size(); ++k) {
+      if (!inflows[k].runs(now) || m_clocks[k].share < kDue) continue;
+      const InflowLattice& lattice = inflows[k].lattice;
+      if (Status added =
+              enter(lattice.positions, lattice.velocity, m_inflowMaterials[k], now, m_account.inflow);
+          !added)
+        return added;
+      m_clocks[k].entered();
+    }
+    return {};
+  }
+
+  /// The next time after `now` at which something enters or the frame ends.
+  double nextEvent(const std::vector<ActiveInflow>& inflows, double now, double end) const {
+    double next = end;
+    const auto consider = [&](double time) {
+      if (time > now + kSameTime && time < end - kSameTime) next = std::min(next, time);
+    };
+    for (std::size_t k = 0; k < m_releases.size(); ++k)
+      if (!m_released[k]) consider(m_releases[k].time);
+    for (std::size_t k = 0; k < inflows.size(); ++k) {
+      consider(inflows[k].start);
+      if (inflows[k].runs(now)) consider(now + m_clocks[k].wait(inflows[k].lattice.interval));
+    }
+    return next;
+  }
+
+  Status advance(const StepInput& input, ProcessContext& context) {
+    const std::vector<ActiveInflow> inflows = activeInflows(input);
+    const double from = input.from.film, end = input.to.film;
+    for (double now = from; now < end - kSameTime;) {
+      if (context.cancel.cancelled())
+        return Error{ErrorKind::Cancelled, "The simulation stopped", "flow", "it was cancelled", ""};
+      if (context.progress) context.progress((now - from) / (end - from));
+      if (Status done = release(input.scene, now); !done) return done;
+      if (Status done = inflow(inflows, now); !done) return done;
+      const double next = nextEvent(inflows, now, end);
+      const Result<double> seconds = oneStep(next - now, next == end);
+      if (!seconds) return seconds.error();
+      for (std::size_t k = 0; k < inflows.size(); ++k)
+        if (inflows[k].runs(now)) m_clocks[k].advance(*seconds, inflows[k].lattice.interval);
+      now = next - now - *seconds < kSameTime ? next : now + *seconds;
+    }
+    return {};
+  }
+
+  /// A step of at most `left`. The last one of a frame is sampled; which one that is is not known before, so
+  /// the ones that may be are, and one that is not sampled leaves something to do.
+  Result<double> oneStep(double left, bool toFrameEnd) {
+    if (m_solver->count() == 0) return left;
+    double most = std::min(m_longest, left);
+    const double usual = m_lastStep > 0.0 ? m_lastStep : m_longest;
+    const bool maybeLast = toFrameEnd && left <= 2.0 * usual;
+    if (toFrameEnd && !maybeLast) most = std::min(most, left - 0.5 * usual);
+    m_solver->sample(maybeLast);
+    const Result<FlowStep> done = m_solver->step(most);
+    if (!done) return done.error();
+    m_lastStep = done->seconds;
+    ++m_steps.steps;
+    ++m_steps.limits[static_cast<std::size_t>(done->limit)];
+    m_steps.seconds += done->seconds;
+    return done->seconds;
+  }
+
+  struct Release {
+    std::string node;
+    double time = 0.0;  ///< s of film
+    std::uint8_t material = 0;
+  };
+
+  FlowConfig m_config;
+  std::unique_ptr<FlowSolver> m_solver;
+  std::vector<Release> m_releases;
+  std::vector<std::uint8_t> m_inflowMaterials;
+  int m_layers = 0;
+  double m_longest = 0.02;  ///< s
+
+  // The state, besides the solver's.
+  std::vector<std::uint8_t> m_released;  ///< by m_releases: is there
+  std::vector<InflowClock> m_clocks;     ///< by sources
+  std::vector<FlowBirth> m_births;
+  FlowAccount m_account;
+  double m_lastStep = 0.0;  ///< s
+
+  FlowStepCount m_steps;  ///< of the latest frame
+};
+
+}  // namespace
+
+ProcessType flowProcessType() {
+  return {"flow", 700, sceneHasFlow,
+          [] { return std::unique_ptr<Process>(std::make_unique<FlowProcess>()); }};
+}
+
+}  // namespace spin

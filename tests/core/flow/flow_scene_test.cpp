@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "core/flow/flow_materials.h"
+#include "core/flow/flow_reach.h"
+#include "core/flow/flow_scene.h"
+#include "core/flow/inflow.h"
+#include "core/sph/flow_setup.h"
+#include "tests/core/flow/flow_test_scene.h"
+
+namespace spin {
+namespace {
+
+using test::FlowTestScene;
+
+std::string issuesOf(const FlowScene& flow, bool fatal) {
+  std::string text;
+  for (const FlowIssue& issue : flow.issues)
+    if (issue.fatal == fatal) text += issue.node + ": " + issue.text + "\n";
+  return text;
+}
+
+FlowScene flowOf(FlowTestScene& scene) {
+  static SceneSnapshot kept;
+  kept = scene.build();
+  return makeFlowScene(kept, 0.0);
+}
+
+TEST(FlowMaterials, EveryPresetIsValidAndHasASource) {
+  for (int k = 0; k + 1 < kFlowMaterialKinds; ++k) {
+    const FlowMaterialPreset preset = flowMaterialPreset(static_cast<FlowMaterialKind>(k));
+    EXPECT_NE(*preset.source, '\0');
+    FlowConfig config;
+    config.domainMax = {1, 1, 1};
+    config.materials = {preset.material};
+    EXPECT_TRUE(checkFlowConfig(config).ok()) << k;
+  }
+  const Rheology snow = flowMaterialPreset(FlowMaterialKind::DrySnow).material.rheology;
+  EXPECT_GT(snow.frictionTangent, 0.0f) << "snow is frictional";
+  EXPECT_GT(flowMaterialPreset(FlowMaterialKind::WetSnow).material.rheology.cohesion, snow.cohesion);
+  const Rheology thinning = flowMaterialPreset(FlowMaterialKind::CrossThinning).material.rheology;
+  EXPECT_GT(apparentViscosity(thinning, 0.001f, 0.0f), 90.0f);
+  EXPECT_LT(apparentViscosity(thinning, 10.0f, 0.0f), 1.1f);
+  const Rheology thickening = flowMaterialPreset(FlowMaterialKind::CrossThickening).material.rheology;
+  EXPECT_GT(apparentViscosity(thickening, 10.0f, 0.0f), apparentViscosity(thickening, 0.001f, 0.0f));
+}
+
+TEST(FlowMaterials, CustomTakesWhatItsLawNeeds) {
+  FlowMaterialNode node;
+  node.law = FlowLaw::Newtonian;
+  node.viscosity = 7.0;
+  EXPECT_EQ(customFlowMaterial(node).rheology.law, RheologyLaw::Newtonian);
+  node.law = FlowLaw::PowerLaw;
+  node.exponent = 0.5;
+  EXPECT_EQ(customFlowMaterial(node).rheology.cohesion, 0.0f) << "a power law has no yield stress";
+  EXPECT_EQ(customFlowMaterial(node).rheology.exponent, 0.5f);
+  node.law = FlowLaw::Bingham;
+  EXPECT_EQ(customFlowMaterial(node).rheology.exponent, 1.0f);
+  EXPECT_EQ(customFlowMaterial(node).rheology.cohesion, 100.0f);
+  EXPECT_EQ(customFlowMaterial(node).rheology.frictionTangent, 0.0f);
+  node.law = FlowLaw::Frictional;
+  EXPECT_NEAR(customFlowMaterial(node).rheology.frictionTangent, 0.4663f, 1e-4f);
+  node.law = FlowLaw::Cross;
+  EXPECT_EQ(customFlowMaterial(node).rheology.law, RheologyLaw::Cross);
+}
+
+TEST(FlowReach, GoesDownAndAsFarUpAsTheEnergyAllows) {
+  // A valley across x: down to x = 50, up again, with a wall of 3 m at x = 80.
+  Raster<float> land(121, 11, 0.0, 0.0, 1.0);
+  for (int j = 0; j < 11; ++j)
+    for (int i = 0; i < 121; ++i)
+      land.at(i, j) = static_cast<float>(i < 50 ? 25.0 - 0.5 * i : i < 80 ? 0.0 : 3.0 + 0.5 * (i - 80));
+  const std::vector<FlowStart> starts{{0.0, 5.0, 26.0}};
+  const FlowReach free = findReach(land, starts, 0.0), slow = findReach(land, starts, 0.45);
+  EXPECT_NEAR(free.box.max.x, 125.0, 6.0) << "to the height where it began";
+  EXPECT_NEAR(slow.box.max.x, 57.0, 2.0) << "where the energy line meets the ground";
+  EXPECT_NEAR(free.speedHead, 26.0, 0.01);
+  EXPECT_LT(slow.speedHead, 4.0);
+  EXPECT_TRUE(findReach(land, {{0.0, 5.0, 20.0}}, 0.0).box.empty()) << "it begins below the ground";
+}
+
+TEST(FlowSceneIssues, AGoodSceneHasNone) {
+  FlowTestScene scene;
+  test::slopeScene(scene).add(kAvalancheReleaseType, "release", test::squareRelease(2.0, 4.0, 0.5));
+  const FlowScene flow = flowOf(scene);
+  EXPECT_EQ(issuesOf(flow, true) + issuesOf(flow, false), "");
+  EXPECT_TRUE(checkFlowConfig(flow.config).ok());
+  EXPECT_EQ(flow.releases[0].layers, 5);
+}
+
+TEST(FlowSceneIssues, ReleaseOutsideTheTerrain) {
+  FlowTestScene scene;
+  test::slopeScene(scene).add(kAvalancheReleaseType, "release", test::squareRelease(200.0, 210.0, 0.5));
+  EXPECT_NE(issuesOf(flowOf(scene), true).find("release: no part of the release area lies on the terrain"),
+            std::string::npos);
+  FlowTestScene half;
+  test::slopeScene(half).add(kAvalancheReleaseType, "release", test::squareRelease(-2.0, 2.0, 0.5));
+  EXPECT_NE(issuesOf(flowOf(half), false).find("75 % of the area"), std::string::npos);
+}
+
+TEST(FlowSceneIssues, OutlineThatCrossesItself) {
+  FlowTestScene scene;
+  AvalancheReleaseNode release;
+  release.outline = {{2, 2}, {4, 4}, {4, 2}, {2, 4}};
+  test::slopeScene(scene).add(kAvalancheReleaseType, "bow", release);
+  EXPECT_NE(issuesOf(flowOf(scene), true)
+                .find("bow: the outline crosses itself: the edge from corner 1 meets "
+                      "that from corner 3"),
+            std::string::npos);
+}
+
+TEST(FlowSceneIssues, SpacingTooLargeForTheSlab) {
+  FlowTestScene scene;
+  test::slopeScene(scene).add(kAvalancheReleaseType, "thin", test::squareRelease(2.0, 4.0, 0.1));
+  EXPECT_NE(issuesOf(flowOf(scene), false).find("thin: the slab of 0.10 m is 1.0 spacings deep: 1 layer"),
+            std::string::npos);
+}
+
+TEST(FlowSceneIssues, DomainTooLargeForTheSpacing) {
+  FlowTestScene scene;
+  scene.settings.spacing = 0.01;
+  scene.settings.margin = 200.0;
+  test::slopeScene(scene).add(kAvalancheReleaseType, "release", test::squareRelease(2.0, 4.0, 0.5));
+  const std::string text = issuesOf(flowOf(scene), true);
+  EXPECT_NE(text.find("flow_settings: the domain of"), std::string::npos) << text;
+  EXPECT_NE(text.find("at most 4096 fit"), std::string::npos) << text;
+}
+
+TEST(FlowSceneIssues, StartsOutsideAGivenDomain) {
+  FlowTestScene scene;
+  scene.settings.domainMin = {8, 0, -1};
+  scene.settings.domainMax = {16, 12, 6};
+  test::slopeScene(scene).add(kAvalancheReleaseType, "release", test::squareRelease(2.0, 4.0, 0.5));
+  EXPECT_NE(issuesOf(flowOf(scene), true).find("release: flow begins outside"), std::string::npos);
+}
+
+TEST(FlowSceneIssues, MaterialsThatAreNotThereOrTooMany) {
+  FlowTestScene scene;
+  AvalancheReleaseNode release = test::squareRelease(2.0, 4.0, 0.5);
+  release.material = FlowMaterialKind::Custom;
+  release.customMaterial = "goo";
+  test::slopeScene(scene).add(kAvalancheReleaseType, "release", release);
+  EXPECT_NE(issuesOf(flowOf(scene), true).find("custom_material is \"goo\""), std::string::npos);
+  scene.add(kFlowMaterialType, "goo", FlowMaterialNode{});
+  EXPECT_EQ(issuesOf(flowOf(scene), true), "");
+  release.material = FlowMaterialKind::DrySnow;
+  for (int k = 0; k < 4; ++k) {
+    release.density = 200.0 + k;
+    scene.add(kAvalancheReleaseType, "more" + std::to_string(k), release);
+  }
+  EXPECT_NE(issuesOf(flowOf(scene), true).find("more3: more than 4 different materials"), std::string::npos);
+}
+
+TEST(FlowSceneIssues, SourcesThatCannotFlow) {
+  FlowTestScene scene;
+  WaterSourceNode source;
+  source.end = source.position;
+  test::slopeScene(scene).add(kWaterSourceType, "source", source);
+  EXPECT_NE(issuesOf(flowOf(scene), true).find("source: the line's ends stand on the same spot"),
+            std::string::npos);
+}
+
+TEST(FlowWalls, GroundTypesGiveTheirFriction) {
+  FlowTestScene scene;
+  test::slopeScene(scene).add(kAvalancheReleaseType, "release", test::squareRelease(2.0, 4.0, 0.5));
+  GroundTypeLayerNode ground;
+  ground.base = GroundType::Ice;
+  scene.add(kGroundTypeLayerType, "ground", ground);
+  TiledRaster<std::uint8_t> painted(33, 25, kUnpaintedGround);
+  painted.set(20, 10, static_cast<std::uint8_t>(GroundType::Rock));
+  scene.snapshot.nodes.back().painted = painted;
+  scene.settings.rock = 0.77;
+  scene.settings.turbulence = 2000.0;
+  const FlowScene flow = flowOf(scene);
+  const FlowWallsConfig& walls = flow.config.walls;
+  const auto surfaceAt = [&](double x, double y) {
+    return walls.surfaces[walls.groundSurfaces.at(walls.ground.column(x), walls.ground.row(y))];
+  };
+  EXPECT_FLOAT_EQ(surfaceAt(10.0, 5.0).tangent, 0.77f);
+  EXPECT_FLOAT_EQ(surfaceAt(3.0, 3.0).tangent, 0.1f);
+  EXPECT_NEAR(surfaceAt(3.0, 3.0).turbulence, 9.80665f / 2000.0f, 1e-7f);
+  EXPECT_FLOAT_EQ(walls.ground.at(walls.ground.column(4.0), walls.ground.row(4.0)), 3.0f);
+}
+
+TEST(Inflow, LatticesKeepTheFlowAndNeverOverlap) {
+  const SceneSnapshot scene = FlowTestScene().build();
+  for (const double flow : {0.05, 0.2, 0.33, 1.0, 2.7}) {
+    WaterSourceNode line;
+    line.velocity = {0, 3, 0};
+    line.end = {2.3, 0, 0};
+    line.flowPerMetre = flow;
+    const InflowLattice lattice = inflowLattice(scene, line, 0.1);
+    const double rate = static_cast<double>(lattice.positions.size()) * 1e-3 / lattice.interval;
+    EXPECT_NEAR(rate, flow * 2.3, 1e-9);
+    EXPECT_GE(length(lattice.velocity) * lattice.interval, 0.099);
+    WaterSourceNode disc;
+    disc.shape = WaterSourceShape::Disc;
+    disc.radius = 0.4;
+    disc.flow = flow;
+    const InflowLattice round = inflowLattice(scene, disc, 0.1);
+    EXPECT_NEAR(static_cast<double>(round.positions.size()) * 1e-3 / round.interval, flow, 1e-9);
+    EXPECT_NEAR(length(round.velocity), flow / (3.14159265 * 0.16), 1e-6);
+    EXPECT_GT(length(round.velocity) * round.interval, 0.07);
+  }
+}
+
+}  // namespace
+}  // namespace spin
