@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/flow/flow_estimate.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
 
+#include "core/flow/flow_state_io.h"
 #include "core/flow/inflow.h"
 #include "core/nodes/settings_nodes.h"
 
@@ -29,6 +33,10 @@ double FlowEstimate::seconds(double film, Isa isa, int threads) const {
 FlowEstimate estimateFlow(const SceneSnapshot& scene, const FlowScene& flow) {
   FlowEstimate need;
   const FlowConfig& c = flow.config;
+  if (const SceneNode* node = scene.first<FlowSettingsNode>())
+    need.node = node->id;
+  else if (!flow.releases.empty())
+    need.node = flow.releases.front().node->id;
   for (const FlowRelease& release : flow.releases) need.particles += release.particles;
   const double end = scene.timeOf(scene.settings<SimulationNode>(0.0).lastFrame).film;
   for (const FlowInflow& inflow : flow.inflows) {
@@ -51,6 +59,27 @@ FlowEstimate estimateFlow(const SceneSnapshot& scene, const FlowScene& flow) {
   need.stepSeconds = std::min(need.stepSeconds, scene.settings<FlowSettingsNode>(0.0).longestStep);
   if (c.supportSpacings > 2.5) need.stepSeconds /= kAccurateCost;
   return need;
+}
+
+double physicalMemory() {
+  return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+std::optional<FlowIssue> memoryIssue(const FlowEstimate& need, double available) {
+  const double bytes = need.workBytes + 2.0 * kFlowStateBytes * need.particles;
+  if (bytes <= available && need.particles < 2.0e9) return std::nullopt;
+  return FlowIssue{
+      need.node,
+      fmt::format("about {:.3g} million particles take {:.1f} GB of memory and {:.1f} GB are there",
+                  need.particles * 1e-6, bytes * 1e-9, available * 1e-9),
+      true};
+}
+
+std::vector<FlowIssue> findFlowIssues(const SceneSnapshot& scene) {
+  FlowScene flow = makeFlowScene(scene, 0.0);
+  if (flow.fatal()) return flow.issues;
+  if (const auto issue = memoryIssue(estimateFlow(scene, flow))) flow.issues.push_back(*issue);
+  return flow.issues;
 }
 
 FlowEstimate estimateFlow(const SceneSnapshot& scene) {

@@ -11,6 +11,7 @@
 #include "core/flow/flow_scene.h"
 #include "core/flow/flow_state_io.h"
 #include "core/flow/inflow.h"
+#include "core/nodes/settings_nodes.h"
 
 namespace spin {
 namespace {
@@ -92,11 +93,20 @@ class FlowProcess final : public Process {
     frameBytes = need.particles * flowFrameBytes();
   }
 
+  WorkEstimate estimateWork(const SceneSnapshot& scene, Isa isa, int threads) const override {
+    const FlowEstimate need = estimateFlow(scene);
+    const double film = scene.timeOf(scene.settings<SimulationNode>(0.0).lastFrame).film;
+    return {need.workBytes, need.particles, need.seconds(film, isa, threads)};
+  }
+
  private:
   Status makeSolver(const SceneSnapshot& scene, ProcessContext& context) {
     const FlowScene flow = makeFlowScene(scene, 0.0);
     if (const FlowIssue* issue = flow.fatal())
       return badInput("The flow cannot start", issue->node, issue->text);
+    if (const auto tooLarge = memoryIssue(estimateFlow(scene, flow)))
+      return Error{ErrorKind::OutOfResources, "The flow cannot start", tooLarge->node, tooLarge->text,
+                   "Make spacing_m larger, the release smaller or the film shorter"};
     m_config = flow.config;
     m_releases.clear();
     for (const FlowRelease& r : flow.releases)

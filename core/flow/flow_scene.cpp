@@ -197,9 +197,9 @@ FlowScene makeFlowScene(const SceneSnapshot& scene, double filmTime) {
   updateFlowConfig(scene, filmTime, out.config);
   const std::vector<const SceneNode*> sinks = scene.all<FlowSinkNode>();
   if (sinks.size() > kMostSinks)
-    out.issues.push_back({sinks.back()->id,
-                          fmt::format("there are {} sinks, at most {} are possible", sinks, kMostSinks),
-                          true});
+    out.issues.push_back(
+        {sinks.back()->id,
+         fmt::format("there are {} sinks, at most {} are possible", sinks.size(), kMostSinks), true});
   return out;
 }
 

@@ -61,6 +61,13 @@ struct StepInput {
   FrameTime to;
 };
 
+/// What computing takes, besides states and frames.
+struct WorkEstimate {
+  double bytes = 0.0;      ///< memory while it works
+  double particles = 0.0;  ///< at most
+  double seconds = 0.0;    ///< of work for the scene's whole film, by measured rates; 0 = not worth telling
+};
+
 /// One part of the simulation. It owns its state; the runner calls begin() for frame 0, then step() frame by
 /// frame, in the pipeline's order. A long stage checks context.cancel at least every 100 ms and returns
 /// ErrorKind::Cancelled.
@@ -79,6 +86,7 @@ class Process {
   virtual Status loadState(const SceneSnapshot& scene, ProcessContext& context, ByteReader& in) = 0;
   /// Rough need, for the estimate before a run: bytes of state, bytes per frame.
   virtual void estimate(const SceneSnapshot& scene, double& stateBytes, double& frameBytes) const = 0;
+  virtual WorkEstimate estimateWork(const SceneSnapshot&, Isa, int /*threads*/) const { return {}; }
 };
 
 /// How the pipeline knows a process: in which scenes it runs and where in the order.

@@ -38,9 +38,11 @@ struct RunCallbacks {
 
 /// Need of a run, shown before it starts.
 struct RunEstimate {
-  double memoryBytes = 0.0;  ///< state, its copy for checkpoints, and the frames kept in RAM
+  double memoryBytes = 0.0;  ///< state, its copy for checkpoints, work, and the frames kept in RAM
   double diskBytes = 0.0;    ///< frames and checkpoints to be written; 0 for a RAM-only store
   double frameBytes = 0.0;   ///< of one frame
+  double particles = 0.0;    ///< at most, of all processes
+  double seconds = 0.0;      ///< of work, by measured rates; 0 = not known
   int framesToCompute = 0;
 };
 RunEstimate estimateRun(const SceneSnapshot& scene, FrameStore& store, const RunOptions& options);

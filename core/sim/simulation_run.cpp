@@ -314,19 +314,27 @@ RunEstimate estimateRun(const SceneSnapshot& scene, FrameStore& store, const Run
   RunEstimate estimate;
   for (std::size_t frame = 0; frame < keys.size(); ++frame)
     if (!store.has(static_cast<int>(frame), keys[frame])) ++estimate.framesToCompute;
-  double stateBytes = 0.0, frameBytes = 0.0;
+  double stateBytes = 0.0, frameBytes = 0.0, seconds = 0.0, workBytes = 0.0;
+  const Result<Isa> isa = chooseIsa(options.isa);
   for (const auto& process : pipeline.processes()) {
     double ofState = 0.0, ofFrame = 0.0;
     process->estimate(scene, ofState, ofFrame);
     stateBytes += ofState;
     frameBytes += ofFrame;
+    const WorkEstimate work =
+        process->estimateWork(scene, isa ? *isa : bestIsa(), CpuBackend(options.threads).threads());
+    workBytes += work.bytes;
+    seconds += work.seconds;
+    estimate.particles += work.particles;
   }
-  const int interval = scene.settings<SimulationNode>(0.0).checkpointInterval;
+  const SimulationNode settings = scene.settings<SimulationNode>(0.0);
+  const int interval = settings.checkpointInterval;
   estimate.frameBytes = frameBytes;
   const int frames = estimate.framesToCompute;
+  estimate.seconds = seconds * frames / std::max(settings.lastFrame + 1, 1);
   const double kept = std::min(frames * frameBytes, static_cast<double>(store.options().memoryBudget));
   if (frames == 0) return estimate;
-  estimate.memoryBytes = 2.0 * stateBytes + kept;
+  estimate.memoryBytes = 2.0 * stateBytes + workBytes + kept;
   if (!store.options().directory.empty())
     estimate.diskBytes = frames * frameBytes + (1 + frames / interval) * stateBytes;
   return estimate;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -32,6 +33,12 @@ constexpr int kRepairs = 3;
 std::string sizeText(double bytes) {
   if (bytes < 1e6) return fmt::format("{:.0f} kB", bytes / 1e3);
   return bytes < 1e9 ? fmt::format("{:.1f} MB", bytes / 1e6) : fmt::format("{:.2f} GB", bytes / 1e9);
+}
+
+std::string durationText(double seconds) {
+  if (seconds < 90.0) return fmt::format("{:.0f} s", std::ceil(seconds));
+  return seconds < 5400.0 ? fmt::format("{:.0f} min", seconds / 60.0)
+                          : fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
 /// The nearest folder above (or at) the path that exists.
@@ -157,6 +164,10 @@ Status Job::checkRoom() {
   logInfo(fmt::format("{} frames to simulate ({} memory, {} cache in {}), {} to export (at most {} in {})",
                       need.framesToCompute, sizeText(need.memoryBytes), sizeText(need.diskBytes),
                       m_report.cache, exported, sizeText(output), m_options.output));
+  if (need.particles > 0.0 && need.seconds > 0.0)
+    logInfo(fmt::format("at most {:.0f} particles; about {} of computing on {} threads ({})", need.particles,
+                        durationText(need.seconds), CpuBackend(m_run.threads).threads(),
+                        backendName(m_run.isa)));
   const Disk cache = diskOf(m_report.cache), out = diskOf(m_options.output);
   const bool shared = cache.id == out.id;
   const auto lacks = [](const Disk& disk, double bytes) {

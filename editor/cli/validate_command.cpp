@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/fields/terrain_surface.h"
+#include "core/flow/flow_estimate.h"
 #include "core/nodes/ground_nodes.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
@@ -64,6 +65,12 @@ void checkLayers(const SceneSnapshot& scene, Problems& problems) {
   }
 }
 
+void checkFlow(const SceneSnapshot& scene, Problems& problems) {
+  if (!sceneHasFlow(scene)) return;
+  for (const FlowIssue& issue : findFlowIssues(scene))
+    problems.push_back({issue.node, issue.text, issue.fatal});
+}
+
 double distanceInPlan(const Box3d& box, Vec3d p) {
   return std::hypot(std::max({box.min.x - p.x, 0.0, p.x - box.max.x}),
                     std::max({box.min.y - p.y, 0.0, p.y - box.max.y}));
@@ -102,6 +109,7 @@ std::vector<SceneProblem> findProblems(const OpenedScene& opened) {
   checkSnowfall(scene, problems);
   checkLayers(scene, problems);
   checkModels(scene, problems);
+  checkFlow(scene, problems);
   return problems;
 }
 

@@ -8,6 +8,7 @@
 #include "tests/support/flow_contract.h"
 #include "tests/support/flow_hard_contract.h"
 #include "tests/support/flow_walls_contract.h"
+#include "tests/support/flow_state_contract.h"
 
 namespace spin {
 namespace contract {
@@ -26,6 +27,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowWallsContract, CudaFlowTraits);
 INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowBodiesContract, CudaFlowTraits);
 INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowCellsContract, CudaFlowTraits);
 INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowHard, CudaFlowTraits);
+INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowStateContract, CudaFlowTraits);
 
 }  // namespace contract
 

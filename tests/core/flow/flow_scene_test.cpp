@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "core/flow/flow_estimate.h"
 #include "core/flow/flow_materials.h"
 #include "core/flow/flow_reach.h"
 #include "core/flow/flow_scene.h"
@@ -150,6 +151,27 @@ TEST(FlowSceneIssues, MaterialsThatAreNotThereOrTooMany) {
     scene.add(kAvalancheReleaseType, "more" + std::to_string(k), release);
   }
   EXPECT_NE(issuesOf(flowOf(scene), true).find("more3: more than 4 different materials"), std::string::npos);
+}
+
+TEST(FlowSceneIssues, MoreParticlesThanTheMemoryHolds) {
+  FlowTestScene scene;
+  test::slopeScene(scene).add(kAvalancheReleaseType, "release", test::squareRelease(2.0, 4.0, 0.5));
+  const SceneSnapshot built = scene.build();
+  const FlowEstimate need = estimateFlow(built);
+  EXPECT_FALSE(memoryIssue(need, 1e9));
+  const auto issue = memoryIssue(need, 1e5);
+  ASSERT_TRUE(issue);
+  EXPECT_TRUE(issue->fatal);
+  EXPECT_EQ(issue->node, "flow_settings");
+  EXPECT_TRUE(findFlowIssues(built).empty());
+  // 90 m3 in particles of 5 mm.
+  scene.settings.spacing = 0.005;
+  scene.settings.domainMin = {1.5, 1.5, 2.0};
+  scene.settings.domainMax = {5.0, 5.0, 25.0};
+  scene.add(kAvalancheReleaseType, "deep", test::squareRelease(2.0, 4.0, 20.0));
+  const SceneSnapshot huge = scene.build();
+  EXPECT_GT(estimateFlow(huge).particles, 5e8);
+  EXPECT_EQ(findFlowIssues(huge).size(), memoryIssue(estimateFlow(huge)) ? 1u : 0u);
 }
 
 TEST(FlowSceneIssues, SourcesThatCannotFlow) {

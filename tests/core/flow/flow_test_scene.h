@@ -109,4 +109,10 @@ inline const ParticleSet& flowOf(const Frame& frame) {
   return part->particles;
 }
 
+inline const std::vector<float>& valuesOf(const ParticleSet& set, const std::string& attribute) {
+  const ParticleAttribute* found = set.find(attribute);
+  SPIN_CHECK(found, "no attribute " + attribute);
+  return found->values;
+}
+
 }  // namespace spin::test

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "core/nodes/flow_nodes.h"
 #include "core/nodes/ground_nodes.h"
 #include "core/nodes/node_registry.h"
 #include "tests/core/snow/snow_test_scene.h"
@@ -45,13 +44,9 @@ std::vector<Hash128> keysOf(const SceneSnapshot& scene) {
   return frameKeys(scene, Pipeline::compile(scene), "cpu", 3);
 }
 
-/// Ground types and temperatures enter with the melting of snow, flow with its own process: no process of
-/// this pipeline reads them.
+/// Ground temperatures enter with the melting of snow: no process of this pipeline reads them.
 bool isReadByNothing(const SceneNode& node) {
-  return node.type == &kGroundTypeLayerType || node.type == &kGroundTemperatureLayerType ||
-         node.type == &kAvalancheReleaseType || node.type == &kWaterSourceType ||
-         node.type == &kFlowSinkType || node.type == &kRigidBodyType || node.type == &kFlowMaterialType ||
-         node.type == &kFlowSettingsType;
+  return node.type == &kGroundTemperatureLayerType;
 }
 
 TEST(FrameKeys, ChangeWithEveryPropertyThatAffectsTheSimulationAndNoOther) {

@@ -4,6 +4,7 @@
 #include "core/sph/flow_solver_impl.h"
 #include "tests/support/flow_cells_contract.h"
 #include "tests/support/flow_contract.h"
+#include "tests/support/flow_state_contract.h"
 
 namespace spin {
 namespace {
@@ -42,6 +43,7 @@ using FlowTypes =
 namespace contract {
 INSTANTIATE_TYPED_TEST_SUITE_P(Cpu, FlowContract, FlowTypes);
 INSTANTIATE_TYPED_TEST_SUITE_P(Cpu, FlowCellsContract, FlowTypes);
+INSTANTIATE_TYPED_TEST_SUITE_P(Cpu, FlowStateContract, FlowTypes);
 }  // namespace contract
 
 namespace {
