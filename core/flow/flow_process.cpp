@@ -65,6 +65,7 @@ class FlowProcess final : public Process {
     out.putArray(m_clocks);
     out.putArray(m_births);
     out.put(m_account);
+    out.put(m_nextId);
     out.put(m_lastStep);
     saveFlowState(m_solver->state(), out);
   }
@@ -76,10 +77,11 @@ class FlowProcess final : public Process {
     m_clocks = in.getArray<InflowClock>();
     m_births = in.getArray<FlowBirth>();
     m_account = in.get<FlowAccount>();
+    m_nextId = in.get<std::uint32_t>();
     m_lastStep = in.get<double>();
     const FlowSolverState state = loadFlowState(in);
     const bool fits = in.ok() && m_released.size() == releases && m_clocks.size() == clocks &&
-                      m_lastStep >= 0.0 &&
+                      m_lastStep >= 0.0 && state.nextId == m_nextId &&
                       std::all_of(m_clocks.begin(), m_clocks.end(),
                                   [](const InflowClock& clock) { return std::isfinite(clock.share); });
     if (!fits)
@@ -119,6 +121,7 @@ class FlowProcess final : public Process {
     m_clocks.assign(flow.inflows.size(), InflowClock{});
     m_births.clear();
     m_account = {};
+    m_nextId = 0;
     m_lastStep = 0.0;
     m_steps = {};
     Result<std::unique_ptr<FlowSolver>> made =
@@ -152,14 +155,19 @@ class FlowProcess final : public Process {
                std::array<std::uint64_t, kMostMaterials>& account) {
     std::vector<FlowParticle> particles;
     particles.reserve(positions.size());
-    for (const Vec3d& p : positions) particles.push_back({p, velocity, material, 0});
-    std::uint64_t before = 0;
-    for (const auto* counts : {&m_account.released, &m_account.inflow})
-      for (const std::uint64_t count : *counts) before += count;
+    for (const Vec3d& p : positions) {
+      particles.emplace_back();
+      particles.back().position = p;
+      particles.back().velocity = velocity;
+      particles.back().material = material;
+    }
+    const std::size_t before = m_solver->count();
     if (Status added = m_solver->add(particles); !added) return added;
-    // Numbers go on from the last one, so they tell the time of birth.
-    m_births.push_back({static_cast<std::uint32_t>(before), now});
-    account[material] += particles.size();
+    // Numbers go on from the last one, so they tell the time of birth. What would begin within a solid is
+    // left out.
+    m_births.push_back({m_nextId, now});
+    m_nextId += static_cast<std::uint32_t>(particles.size());
+    account[material] += m_solver->count() - before;
     return {};
   }
 
@@ -255,7 +263,8 @@ class FlowProcess final : public Process {
   std::vector<InflowClock> m_clocks;     ///< by sources
   std::vector<FlowBirth> m_births;
   FlowAccount m_account;
-  double m_lastStep = 0.0;  ///< s
+  std::uint32_t m_nextId = 0;  ///< of the next particle
+  double m_lastStep = 0.0;     ///< s
 
   FlowStepCount m_steps;  ///< of the latest frame
 };

@@ -43,7 +43,7 @@ class SceneBuilder {
     m_out.config.domainMin = domain.box.min;
     m_out.config.domainMax = domain.box.max;
     if (!domain.problem.empty()) note(domain.node, domain.problem, true);
-    m_out.fastest = domain.fastest;
+    m_out.fastest = std::min(domain.fastest, voellmySpeed());
     setStiffness();
     setFlowWalls(m_scene, m_settings, m_out);
   }
@@ -57,6 +57,12 @@ class SceneBuilder {
   bool slides() const {
     return std::all_of(m_out.config.materials.begin(), m_out.config.materials.end(),
                        [](const FlowMaterialConfig& m) { return m.rheology.frictionTangent > 0.0f; });
+  }
+
+  /// By Voellmy's law flow of depth d on a slope goes no faster than sqrt(xi d (sin - mu cos)) < sqrt(xi d).
+  double voellmySpeed() const {
+    if (m_settings.grip != GroundGrip::Coulomb || !(m_settings.turbulence > 0.0)) return 1e300;
+    return std::sqrt(m_settings.turbulence * std::max(m_deepest, m_settings.spacing));
   }
 
   std::uint8_t materialIndex(const SceneNode& node, FlowMaterialKind kind, const std::string& customId,

@@ -52,7 +52,8 @@ class SimulationRun {
         m_cancel(cancel),
         m_backend(options.threads),
         m_isa(chooseIsa(options.isa) ? *chooseIsa(options.isa) : bestIsa()),
-        m_backendName(backendName(options.isa)),
+        m_backendName(backendName(options.isa) +
+                      (options.flowDevice.empty() ? "" : "+" + options.flowDevice)),
         m_pipeline(Pipeline::compile(scene, options.types)),
         m_settings(scene.settings<SimulationNode>(0.0)) {
     if (options.lowPriority) m_lowPriority.emplace(m_backend.arena());
@@ -299,8 +300,9 @@ std::string backendName(const std::string& isa) {
 
 std::vector<Hash128> frameKeys(const SceneSnapshot& scene, const RunOptions& options) {
   const std::string caster = options.makeRayScene ? options.makeRayScene()->name() : "none";
-  return frameKeys(scene, Pipeline::compile(scene, options.types),
-                   fmt::format("{}+{}", backendName(options.isa), caster), options.lastFrame);
+  std::string backend = fmt::format("{}+{}", backendName(options.isa), caster);
+  if (!options.flowDevice.empty()) backend += "+" + options.flowDevice;
+  return frameKeys(scene, Pipeline::compile(scene, options.types), backend, options.lastFrame);
 }
 
 std::vector<Hash128> validKeys(const SceneSnapshot& scene, RunOptions options, FrameStore& store) {

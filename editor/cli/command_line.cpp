@@ -88,6 +88,13 @@ void addJob(CLI::App& command, Words& words, bool formats) {
   command.add_flag("--timings", words.timings, "Print the seconds of each stage at the end");
   if (formats)
     command
+        .add_option("--part", words.job.parts,
+                    "Part to write to caches (repeatable; default: all): flakes, flow, cover")
+        ->type_name("PART")
+        ->expected(1)
+        ->take_all();
+  if (formats)
+    command
         .add_option("--format", words.job.formats,
                     "Format to write (repeatable): png8, png16, exr, ply, vtp, cover_tif")
         ->type_name("FORMAT")

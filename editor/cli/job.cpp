@@ -13,6 +13,7 @@
 #include <fstream>
 
 #include "core/base/log.h"
+#include "core/flow/flow_scene.h"
 #include "core/nodes/settings_nodes.h"
 #include "editor/cli/job_export.h"
 #include "editor/cli/manifest.h"
@@ -20,6 +21,10 @@
 #include "plugins/sdk/output_file.h"
 #ifdef SPIN_HAVE_EMBREE
 #include "core/raycast/embree_ray_scene.h"
+#endif
+#ifdef SPIN_HAVE_CUDA
+#include "gpu/cuda_device.h"
+#include "gpu/flow_solver_cuda.h"
 #endif
 
 namespace spin {
@@ -39,6 +44,15 @@ std::string durationText(double seconds) {
   if (seconds < 90.0) return fmt::format("{:.0f} s", std::ceil(seconds));
   return seconds < 5400.0 ? fmt::format("{:.0f} min", seconds / 60.0)
                           : fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+Status cardIsThere() {
+#ifdef SPIN_HAVE_CUDA
+  return cudaAvailable() ? Status() : Status(cudaDevice().error());
+#else
+  return Error{ErrorKind::Failed, "The flow cannot be computed on a card", "--device cuda",
+               "this program was built without CUDA", "Use --device cpu"};
+#endif
 }
 
 /// The nearest folder above (or at) the path that exists.
@@ -143,8 +157,12 @@ Status Job::prepare() {
                  fmt::format("the scene's first frame {} lies after its last frame {}", m_report.frames.first,
                              m_report.frames.last),
                  "Correct first_frame and last_frame, or name the range with --frames"};
-  if (m_options.device == "cuda")
-    logWarning("no process of this scene runs on the GPU; it is computed on the CPU");
+  if (m_options.device == "cuda") {
+    if (!sceneHasFlow(*m_opened.snapshot))
+      logWarning("no process of this scene runs on the GPU; it is computed on the CPU");
+    else if (Status there = cardIsThere(); !there)
+      return there;
+  }
   m_run = runOptionsFor(m_options, m_report.frames.last);
   m_report.cache = cacheFolderFor(m_opened.file, m_options.cache, m_options.output);
   FrameStoreOptions store;
@@ -296,6 +314,13 @@ RunOptions runOptionsFor(const JobOptions& job, int lastFrame) {
   options.threads = job.threads;
   options.isa = job.isa;
   options.makeRayScene = programRayCaster();
+#ifdef SPIN_HAVE_CUDA
+  // Only where it is asked for by name: the editor and other machines then share the cache.
+  if (job.device == "cuda" && cudaAvailable()) {
+    options.makeFlowSolver = makeFlowSolverCuda;
+    options.flowDevice = cudaDevice().value().backend;
+  }
+#endif
   return options;
 }
 

@@ -35,6 +35,7 @@ struct JobOptions {
   std::string output = "out";
   std::string cache;                 ///< absent = NAME.cache beside the scene
   std::vector<std::string> formats;  ///< image and cache formats; empty = simulate only
+  std::vector<std::string> parts;    ///< of the frames that caches are written of; empty = all
   /// Ends the program; called when a cancelled job hangs in the driver, drawing a large picture. Absent: the
   /// job waits for the picture.
   std::function<void(const Error&)> abandon;

@@ -94,6 +94,15 @@ FramePointer unwrapAtCamera(const FramePointer& frame, const SceneSnapshot& scen
   return copy ? FramePointer(copy) : frame;
 }
 
+FramePointer onlyParts(const FramePointer& frame, const std::vector<std::string>& parts) {
+  if (parts.empty()) return frame;
+  auto copy = std::make_shared<Frame>(*frame);
+  std::erase_if(copy->parts, [&](const auto& entry) {
+    return std::find(parts.begin(), parts.end(), entry.first) == parts.end();
+  });
+  return copy;
+}
+
 std::vector<std::string> creditLines(const SceneSnapshot& scene) {
   std::vector<std::string> credits;
   if (const SceneNode* terrain = scene.first<TerrainNode>()) {
@@ -205,7 +214,7 @@ Status JobExport::writePictures(const FramePointer& frame) {
 }
 
 Status JobExport::writeFrame(const FramePointer& frame) {
-  const FramePointer unwrapped = unwrapAtCamera(frame, *m_opened.snapshot);
+  const FramePointer unwrapped = onlyParts(unwrapAtCamera(frame, *m_opened.snapshot), m_options.parts);
   for (Cache& cache : m_caches) {
     if (m_cancel.cancelled()) break;
     const ScopedStage stage(m_timings, cache.format);

@@ -21,6 +21,9 @@ class Renderer;
 /// copy nearest to the camera and have no period any more.
 FramePointer unwrapAtCamera(const FramePointer& frame, const SceneSnapshot& scene);
 
+/// The frame with these parts alone; all where none is named.
+FramePointer onlyParts(const FramePointer& frame, const std::vector<std::string>& parts);
+
 /// Caption and credit lines that the scene asks for on its pictures; empty if it wants none.
 std::vector<std::string> captionLines(const SceneSnapshot& scene);
 /// Credits of the scene's data, whether or not they are shown.

@@ -58,6 +58,7 @@ std::string equivalentCommand(const OpenedScene& opened, const JobOptions& optio
             shellWord(std::filesystem::absolute(folder).lexically_proximate(sceneFolder).generic_string());
   line += fmt::format(" --frames {}:{}", frames.first, frames.last);
   for (const std::string& format : options.formats) line += " --format " + shellWord(format);
+  for (const std::string& part : options.parts) line += " --part " + shellWord(part);
   if (options.device != "auto") line += " --device " + shellWord(options.device);
   if (options.isa != "auto") line += " --isa " + shellWord(options.isa);
   return line;

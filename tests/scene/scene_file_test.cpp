@@ -38,6 +38,8 @@ Value otherValue(const NodeType& type, const PropertyInfo& property) {
   const double inside = property.min + 0.37 * (property.max - property.min);
   if (std::holds_alternative<double>(value)) return inside;
   if (std::holds_alternative<Vec3d>(value)) return Vec3d{inside, property.min, property.max};
+  if (std::holds_alternative<PlanPoints>(value))
+    return PlanPoints{{inside, 0.0}, {property.min, property.max}};
   return std::string("a \"b\" \u00e9 / c");
 }
 
