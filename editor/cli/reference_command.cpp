@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "core/flow/flow_materials.h"
 #include "core/nodes/node_registry.h"
 #include "editor/cli/commands.h"
 
@@ -108,6 +109,34 @@ std::string defaultText(const NodeType& type, const PropertyInfo& property) {
   return real ? fmt::format("{:.6g}", *real) : toText(value);
 }
 
+std::string lawText(const Rheology& r) {
+  if (r.law == RheologyLaw::Newtonian) return fmt::format("Newtonian, {:.3g} Pa s", r.viscosity);
+  if (r.law == RheologyLaw::Cross)
+    return fmt::format(
+        "Cross, mu_0 {:g} Pa s, mu_inf {:g} Pa s, K {:g} s^n, n {:g}, held within {:g} to {:g} Pa s",
+        r.viscosity, r.viscosityAtSpeed, r.crossFactor, r.exponent, r.least, r.most);
+  return fmt::format("{}, cohesion {:g} Pa, tan phi {:.3g}, consistency {:g} Pa s^n, n {:.3g}",
+                     r.frictionTangent > 0.0f ? "frictional (Mohr-Coulomb)" : "Herschel-Bulkley", r.cohesion,
+                     r.frictionTangent, r.viscosity, r.exponent);
+}
+
+std::string materialsTable(const NodeType& release) {
+  std::string text =
+      "\n## Presets of flow materials\n\n"
+      "Viscosities are also held below the cap of the flow settings.\n\n"
+      "| material | density | law | source |\n| --- | --- | --- | --- |\n";
+  const PropertyInfo* property = release.find("material");
+  for (int k = 0; property && k < kFlowMaterialKinds; ++k) {
+    const auto kind = static_cast<FlowMaterialKind>(k);
+    if (kind == FlowMaterialKind::Custom) continue;
+    const FlowMaterialPreset preset = flowMaterialPreset(kind);
+    text +=
+        fmt::format("| `{}` | {:g} kg/m3 | {} | {} |\n", property->choices[static_cast<std::size_t>(k)].id,
+                    preset.material.restDensity, lawText(preset.material.rheology), preset.source);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string propertyReference() {
@@ -130,7 +159,7 @@ std::string propertyReference() {
                           row.animatable ? "yes" : "no", affectsText(row.affects));
     }
   }
-  return page;
+  return page + materialsTable(kAvalancheReleaseType);
 }
 
 }  // namespace spin
