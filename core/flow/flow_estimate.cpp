@@ -83,7 +83,7 @@ std::vector<FlowIssue> findFlowIssues(const SceneSnapshot& scene) {
 }
 
 FlowEstimate estimateFlow(const SceneSnapshot& scene) {
-  return estimateFlow(scene, makeFlowScene(scene, 0.0));
+  return estimateFlow(scene, makeFlowScene(scene, 0.0, false));
 }
 
 }  // namespace spin

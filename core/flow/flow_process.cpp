@@ -11,6 +11,7 @@
 #include "core/flow/flow_scene.h"
 #include "core/flow/flow_state_io.h"
 #include "core/flow/inflow.h"
+#include "core/flow/scene_bodies.h"
 #include "core/nodes/settings_nodes.h"
 
 namespace spin {
@@ -50,6 +51,11 @@ class FlowProcess final : public Process {
     if (Status kept = m_solver->reconfigure(m_config); !kept) return kept;
     m_longest = input.scene.settings<FlowSettingsNode>(middleFilm(input)).longestStep;
     m_steps = {};
+    if (!m_bodies.empty()) {
+      const Status moved = m_solver->setBodies(
+          followKeys(input.scene, m_bodies, m_solver->bodies(), input.from.film, input.to.film));
+      if (!moved) return moved;
+    }
     const Status done = advance(input, context);
     context.backend.timings().merge(m_solver->timings());
     m_solver->timings().clear();
@@ -58,6 +64,7 @@ class FlowProcess final : public Process {
 
   void publish(const SceneSnapshot&, const FrameTime&, Frame& frame) const override {
     publishFlow({*m_solver, m_config, m_births, m_account, m_steps, m_layers}, frame);
+    publishBodies(m_bodies, m_solver->bodies(), frame);
   }
 
   void saveState(ByteWriter& out) const override {
@@ -110,6 +117,7 @@ class FlowProcess final : public Process {
       return Error{ErrorKind::OutOfResources, "The flow cannot start", tooLarge->node, tooLarge->text,
                    "Make spacing_m larger, the release smaller or the film shorter"};
     m_config = flow.config;
+    m_bodies = flow.bodies;
     m_releases.clear();
     for (const FlowRelease& r : flow.releases)
       m_releases.push_back({r.node->id, r.data.releaseTime, r.material});
@@ -230,7 +238,7 @@ class FlowProcess final : public Process {
   /// A step of at most `left`. The last one of a frame is sampled; which one that is is not known before, so
   /// the ones that may be are, and one that is not sampled leaves something to do.
   Result<double> oneStep(double left, bool toFrameEnd) {
-    if (m_solver->count() == 0) return left;
+    if (m_solver->count() == 0 && m_bodies.empty()) return left;
     double most = std::min(m_longest, left);
     const double usual = m_lastStep > 0.0 ? m_lastStep : m_longest;
     const bool maybeLast = toFrameEnd && left <= 2.0 * usual;
@@ -255,6 +263,7 @@ class FlowProcess final : public Process {
   std::unique_ptr<FlowSolver> m_solver;
   std::vector<Release> m_releases;
   std::vector<std::uint8_t> m_inflowMaterials;
+  std::vector<FlowBody> m_bodies;
   int m_layers = 0;
   double m_longest = 0.02;  ///< s
 

@@ -13,6 +13,7 @@
 #include "core/flow/flow_materials.h"
 #include "core/flow/flow_walls.h"
 #include "core/flow/inflow.h"
+#include "core/flow/scene_bodies.h"
 #include "core/nodes/weather_nodes.h"
 
 namespace spin {
@@ -194,9 +195,10 @@ bool sceneHasFlow(const SceneSnapshot& scene) {
   return scene.first<AvalancheReleaseNode>() || scene.first<WaterSourceNode>();
 }
 
-FlowScene makeFlowScene(const SceneSnapshot& scene, double filmTime) {
+FlowScene makeFlowScene(const SceneSnapshot& scene, double filmTime, bool withBodies) {
   FlowScene out;
   SceneBuilder(scene, out).run();
+  if (withBodies) addSceneBodies(scene, out);
   const FlowSettingsNode settings = scene.settings<FlowSettingsNode>(filmTime);
   out.config.density =
       settings.density == FlowDensity::Continuity ? DensityMode::Continuity : DensityMode::Summation;

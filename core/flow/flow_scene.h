@@ -34,12 +34,21 @@ struct FlowInflow {
   std::uint8_t material = 0;
 };
 
+/// A model that the solver moves: what to add to its motion to place the model.
+struct FlowBody {
+  std::string model;    ///< id of the model node
+  Transform placement;  ///< of the model at film time 0
+  Vec3d centre{};       ///< of mass then, local m
+  bool kinematic = false;
+};
+
 /// Everything about flow in a scene. Refers to the snapshot, which must outlive it.
 struct FlowScene {
   FlowConfig config;
   std::vector<FlowRelease> releases;
   std::vector<FlowInflow> inflows;
-  double fastest = 0.0;  ///< m/s, to be expected
+  std::vector<FlowBody> bodies;  ///< as FlowConfig::bodies
+  double fastest = 0.0;          ///< m/s, to be expected
   std::vector<FlowIssue> issues;
 
   const FlowIssue* fatal() const;
@@ -48,7 +57,8 @@ struct FlowScene {
 /// Whether there is an enabled release or source.
 bool sceneHasFlow(const SceneSnapshot& scene);
 /// Places and domain are those at film time 0; wind, sinks and friction those at `filmTime`.
-FlowScene makeFlowScene(const SceneSnapshot& scene, double filmTime);
+/// Without `withBodies` models are left out, which saves their fields where only numbers are asked for.
+FlowScene makeFlowScene(const SceneSnapshot& scene, double filmTime, bool withBodies = true);
 /// Only what may change while flow is simulated, into a configuration of the same scene.
 void updateFlowConfig(const SceneSnapshot& scene, double filmTime, FlowConfig& config);
 /// Position on the ground (or as it is) of one of a source's points.

@@ -15,6 +15,7 @@ void saveFlowState(const FlowSolverState& state, ByteWriter& out) {
   out.put(state.lastStep);
   for (const auto* counts : {&state.losses.left, &state.losses.sunk})
     for (const std::uint64_t count : *counts) out.put(count);
+  out.putArray(state.bodies);
 }
 
 FlowSolverState loadFlowState(ByteReader& in) {
@@ -29,6 +30,7 @@ FlowSolverState loadFlowState(ByteReader& in) {
   state.lastStep = in.get<double>();
   for (auto* counts : {&state.losses.left, &state.losses.sunk})
     for (std::uint64_t& count : *counts) count = in.get<std::uint64_t>();
+  state.bodies = in.getArray<RigidState>();
   return state;
 }
 

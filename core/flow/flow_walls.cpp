@@ -8,13 +8,13 @@
 #include "core/base/units.h"
 #include "core/flow/flow_domain.h"
 #include "core/nodes/ground_nodes.h"
-#include "core/nodes/terrain_node.h"
 
 namespace spin {
 namespace {
 
 /// Surface of closed sides; those before it are the ground types.
 constexpr std::uint8_t kSmooth = kGroundTypeCount;
+static_assert(kFirstBodySurface == kSmooth + 1);
 
 void setSurfaces(const FlowSettingsNode& s, FlowWallsConfig& walls) {
   const double frictions[kGroundTypeCount] = {s.quartz, s.sand, s.soil,    s.vegetation,
@@ -75,54 +75,6 @@ void setGround(const SceneSnapshot& scene, const Raster<float>& heights, FlowCon
     }
 }
 
-/// All triangles of a model where it stands.
-TriangleMesh placedTriangles(const ModelData& model, const Transform& placement) {
-  TriangleMesh all;
-  for (const MeshInstance& instance : model.instances) {
-    const Mesh& mesh = model.meshes[static_cast<std::size_t>(instance.mesh)];
-    const Transform place = placement * instance.transform;
-    const auto first = static_cast<std::uint32_t>(all.positions.size());
-    for (const Vec3f& p : mesh.positions) all.positions.push_back(place.point(p.to<double>()));
-    const bool mirrored = place.determinant() < 0.0;
-    for (std::size_t k = 0; k + 2 < mesh.indices.size(); k += 3)
-      for (const std::size_t corner :
-           {std::size_t{0}, std::size_t{mirrored ? 2u : 1u}, std::size_t{mirrored ? 1u : 2u}})
-        all.indices.push_back(first + mesh.indices[k + corner]);
-  }
-  return all;
-}
-
-/// The surface with this friction; a new one where there is none yet and room for it.
-std::uint8_t bodySurface(FlowWallsConfig& walls, double friction) {
-  WallSurface surface;
-  surface.friction = WallFriction::Coulomb;
-  surface.tangent = static_cast<float>(friction);
-  for (std::size_t k = kSmooth + 1; k < walls.surfaces.size(); ++k)
-    if (walls.surfaces[k].tangent == surface.tangent) return static_cast<std::uint8_t>(k);
-  if (walls.surfaces.size() == kMostSurfaces) return static_cast<std::uint8_t>(kMostSurfaces - 1);
-  walls.surfaces.push_back(surface);
-  return static_cast<std::uint8_t>(walls.surfaces.size() - 1);
-}
-
-void addBodies(const SceneSnapshot& scene, FlowScene& flow) {
-  for (const SceneNode* node : scene.all<RigidBodyNode>()) {
-    const auto body = static_cast<const RigidBodyNode&>(*evaluate(*node, 0.0));
-    const SceneNode* model = nullptr;
-    for (const SceneNode* other : scene.all<ModelNode>())
-      if (other->id == body.model) model = other;
-    const auto data = scene.models.find(body.model);
-    if (!model || data == scene.models.end() || !data->second) {
-      flow.issues.push_back({node->id,
-                             "model is \"" + body.model + "\", which is no enabled model of this scene",
-                             model == nullptr});
-      continue;
-    }
-    FlowWallsConfig& walls = flow.config.walls;
-    walls.meshes.push_back({placedTriangles(*data->second, scene.modelTransform(*model, 0.0)), nullptr,
-                            bodySurface(walls, body.friction)});
-  }
-}
-
 void closeSides(const FlowSettingsNode& settings, FlowConfig& c) {
   const bool given = givesDomain(settings);
   const Vec3d low = given ? settings.domainMin : c.domainMin, high = given ? settings.domainMax : c.domainMax;
@@ -144,7 +96,6 @@ void setFlowWalls(const SceneSnapshot& scene, const FlowSettingsNode& settings, 
     c.walls.planes.push_back(
         {{0, 0, 0}, {0, 0, 1}, {}, static_cast<std::uint8_t>(scene.settings<GroundTypeLayerNode>(0.0).base)});
   if (settings.closed) closeSides(settings, c);
-  addBodies(scene, flow);
 }
 
 }  // namespace spin

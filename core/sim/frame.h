@@ -137,7 +137,7 @@ using FramePartLoader = std::shared_ptr<FramePart> (*)(ByteReader&);
 /// Reads shared data and makes it known to the part's loader; whoever holds the result keeps it alive. Null
 /// if the bytes are no such data.
 using SharedDataLoader = std::shared_ptr<const void> (*)(ByteReader&);
-/// Known kinds: particles, cover; a later process registers its own at start-up.
+/// Known kinds: particles, cover, bodies; a later process registers its own at start-up.
 void registerFramePart(const char* kind, FramePartLoader loader, SharedDataLoader sharedLoader = nullptr);
 
 /// Makes data findable by its content for as long as somebody holds it; returns what is in use already if

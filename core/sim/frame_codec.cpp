@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <mutex>
 
+#include "core/sim/bodies_part.h"
 #include "core/sim/frame.h"
 
 namespace spin {
@@ -16,7 +17,8 @@ struct Loaders {
 struct PartRegistry {
   std::mutex mutex;
   std::map<std::string, Loaders> kinds{{ParticlePart::kKind, {&ParticlePart::load, nullptr}},
-                                       {CoverPart::kKind, {&CoverPart::load, &loadCoverShared}}};
+                                       {CoverPart::kKind, {&CoverPart::load, &loadCoverShared}},
+                                       {BodiesPart::kKind, {&BodiesPart::load, nullptr}}};
 };
 
 PartRegistry& partRegistry() {

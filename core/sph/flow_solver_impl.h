@@ -69,7 +69,9 @@ class FlowSolverOn final : public FlowSolver {
     });
   }
 
-  FlowSolverState state() const override { return {downloaded(), m_nextId, m_lastStep, m_losses}; }
+  FlowSolverState state() const override {
+    return {downloaded(), m_nextId, m_lastStep, m_losses, m_bodies.world().states()};
+  }
 
   Status restore(const FlowSolverState& state) override {
     if (Status ok = checkState(m_config, state); !ok) return ok;
@@ -78,7 +80,7 @@ class FlowSolverOn final : public FlowSolver {
       m_nextId = state.nextId;
       m_lastStep = state.lastStep;
       m_losses = state.losses;
-      return {};
+      return m_bodies.world().setStates(state.bodies);
     });
   }
 

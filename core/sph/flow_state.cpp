@@ -34,6 +34,9 @@ Status checkState(const FlowConfig& config, const FlowSolverState& state) {
     if (size != n) return unfit("its arrays differ in length");
   if (n > INT32_MAX - kPairPadding) return unfit("it has too many particles");
   if (!(state.lastStep >= 0.0) || !std::isfinite(state.lastStep)) return unfit("its last step is not valid");
+  if (state.bodies.size() != config.bodies.size()) return unfit("it has more or fewer bodies");
+  for (const RigidState& body : state.bodies)
+    if (!isFinite(body)) return unfit("a body's state is not finite");
   const FlowView view = flowView(config);
   for (std::size_t i = 0; i < n; ++i)
     if (!fits(config, view, state, i))

@@ -12,10 +12,12 @@ struct FlowSolverState {
   std::uint32_t nextId = 0;
   double lastStep = 0.0;  ///< s
   FlowLosses losses;      ///< of those dropped
+  std::vector<RigidState> bodies;
 };
 
 /// Whether a state, which may come from a file, fits: equal lengths, positions within the domain, materials
-/// that are there, finite values, numbers below nextId.
+/// that are there, finite values, numbers below
+/// nextId, a state for every body.
 Status checkState(const FlowConfig& config, const FlowSolverState& state);
 
 }  // namespace spin

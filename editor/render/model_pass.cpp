@@ -88,13 +88,15 @@ void ModelPass::setScene(const SceneSnapshot& scene) {
   m_models = std::move(kept);
 }
 
-std::vector<PlacedModel> ModelPass::place(const SceneSnapshot& scene, double filmTime) const {
+std::vector<PlacedModel> ModelPass::place(const SceneSnapshot& scene, double filmTime,
+                                          const BodiesPart* bodies) const {
   std::vector<PlacedModel> placed;
   for (const SceneNode* node : scene.all<ModelNode>()) {
     const auto data = scene.models.find(node->id);
     if (data == scene.models.end() || !data->second) continue;
     const GpuModel& model = m_models.at(data->second.get());
-    const Transform transform = scene.modelTransform(*node, filmTime);
+    const auto* body = bodies ? bodies->find(node->id) : nullptr;
+    const Transform transform = body ? body->placement : scene.modelTransform(*node, filmTime);
     placed.push_back({&model, node, transform, transformed(transform, model.bounds)});
   }
   return placed;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/fields/mesh.h"
+#include "core/sim/bodies_part.h"
 #include "editor/render/draw_context.h"
 #include "editor/render/gl_program.h"
 
@@ -44,7 +45,8 @@ class ModelPass {
   /// Uploads models that are new and drops those that are gone.
   void setScene(const SceneSnapshot& scene);
   /// Where all enabled models stand; valid until the next setScene.
-  std::vector<PlacedModel> place(const SceneSnapshot& scene, double filmTime) const;
+  /// Models that `bodies` names stand where it says; null = none.
+  std::vector<PlacedModel> place(const SceneSnapshot& scene, double filmTime, const BodiesPart* bodies) const;
   void draw(const DrawContext& context, const std::vector<PlacedModel>& placed) const;
   /// Depth only, for a shadow map: `light` is its matrix.
   void drawDepth(const Matrix4& light, const std::vector<PlacedModel>& placed) const;

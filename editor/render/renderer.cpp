@@ -197,7 +197,8 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
   FrameBlock b = makeBlock(camera, filmTime, options);
   const Vec3d toSun = lightModel(*scene, filmTime, 0.0).toSun;
   timed("ground", [&] { terrain.update(*scene, filmTime, options.ground, toSun); });
-  const std::vector<PlacedModel> placed = models.place(*scene, filmTime);
+  const std::vector<PlacedModel> placed =
+      models.place(*scene, filmTime, frame ? frame->part<BodiesPart>("bodies") : nullptr);
   timed("shadow", [&] { shadows.update(models, placed, camera, toSun, b); });
   glNamedBufferSubData(block.id(), 0, sizeof b, &b);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, block.id());

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 Spindrift contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the grounds of the flow examples beside this file: chute, water_and_snow and waterfall_horsetail.
+"""Makes the grounds of the flow examples beside this file (chute, water_and_snow and waterfall_horsetail) and the boulder of
+avalanche_kontertal.
 
 usage: make_flow_ground.py
 """
@@ -67,6 +68,38 @@ def horsetail(x, y):
     return bed if x <= lip else max(face, floor)
 
 
+def boulder(folder, name):
+    """A block of 3.2 x 2.6 x 2 m with blunt edges and dents, closed: a cube's faces cut in 4 x 4 and pulled towards a ball."""
+    cuts, points, faces = 4, {}, []
+
+    def corner(axis, sign, u, v):
+        p = [0.0, 0.0, 0.0]
+        p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3] = sign, 2.0 * u / cuts - 1.0, 2.0 * v / cuts - 1.0
+        key = tuple(round(c, 6) for c in p)
+        if key not in points:
+            r = math.sqrt(sum(c * c for c in p))
+            dent = 1.0 + 0.06 * math.sin(5.1 * p[0] + 1.3) * math.cos(4.3 * p[1]) * math.sin(3.7 * p[2] + 0.4)
+            pull = 0.45 + 0.55 / r * 1.25
+            points[key] = (len(points) + 1, [c * pull * dent * s for c, s in zip(p, (1.6, 1.3, 1.0))])
+        return points[key][0]
+
+    for axis in range(3):
+        for sign in (-1.0, 1.0):
+            for v in range(cuts):
+                for u in range(cuts):
+                    q = [corner(axis, sign, u + a, v + b) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+                    if sign < 0:
+                        q.reverse()
+                    faces += [(q[0], q[1], q[2]), (q[0], q[2], q[3])]
+    os.makedirs(os.path.join(HERE, folder), exist_ok=True)
+    with open(os.path.join(HERE, folder, name), "w", encoding="ascii") as out:
+        for _, p in points.values():
+            out.write("v " + " ".join(f"{c:.4f}" for c in p) + "\n")
+        for f in faces:
+            out.write("f " + " ".join(str(i) for i in f) + "\n")
+
+
+boulder("avalanche_kontertal.assets", "boulder.obj")
 write("chute", 116, 41, 0.1, chute)
 write("water_and_snow", 161, 71, 0.2, two_fluids)
 write("waterfall_horsetail", 113, 81, 0.5, horsetail)

@@ -11,6 +11,7 @@
 
 #include "core/flow/flow_estimate.h"
 #include "core/flow/flow_scene.h"
+#include "core/sim/bodies_part.h"
 #include "tests/core/flow/flow_test_scene.h"
 #include "tests/core/sim/test_processes.h"
 
@@ -260,6 +261,37 @@ TEST(FlowProcess, WindAndSinksFollowTheirKeys) {
     return meanX(flowOf(*lastFrame(snapshot, 10)));
   };
   EXPECT_GT(run(true), run(false) + 0.3);
+}
+
+TEST(FlowProcess, BodiesStandMoveByKeysOrAreCarriedAway) {
+  FlowTestScene scene;
+  test::slopeScene(scene);
+  scene.settings.vegetation = 0.1;
+  scene.add(kAvalancheReleaseType, "slab", test::squareRelease(2.0, 5.0, 1.0));
+  test::addCube(scene, "crate", 0.8f, {6.5, 3.5, 0.42}, RigidMotion::Dynamic);
+  test::addCube(scene, "pillar", 1.0f, {9.0, 3.0, 0.4}, RigidMotion::Static);
+  test::addCube(scene, "ram", 0.6f, {2.0, 9.0, 1.0}, RigidMotion::Kinematic);
+  SceneSnapshot snapshot = scene.build();
+  for (SceneNode& node : snapshot.nodes)
+    if (node.id == "ram") {
+      node.curves["position_m"].setKey({0.0, Vec3d{2.0, 9.0, 1.0}, Interpolation::Linear});
+      node.curves["position_m"].setKey({2.0, Vec3d{2.0, 11.0, 1.0}, Interpolation::Linear});
+    }
+  const FramePointer frame = lastFrame(snapshot, 15);
+  const auto* bodies = frame->part<BodiesPart>("bodies");
+  ASSERT_TRUE(bodies);
+  ASSERT_EQ(bodies->bodies.size(), 2u) << "the pillar is a wall";
+  const auto* crate = bodies->find("crate");
+  const auto* ram = bodies->find("ram");
+  ASSERT_TRUE(crate && ram);
+  EXPECT_GT(crate->placement.translation.x, 7.0) << "pushed down the slope";
+  EXPECT_NEAR(ram->placement.translation.y, 10.5, 1e-6);
+  EXPECT_NEAR(ram->velocity.y, 1.0, 1e-6);
+  for (const Vec3f& p : flowOf(*frame).positions) {
+    const bool within = std::abs(p.x - 9.0f) < 0.4f && std::abs(p.y - 3.0f) < 0.4f && p.z < 1.5f;
+    EXPECT_FALSE(within) << "in the pillar: " << p.x << " " << p.y << " " << p.z;
+  }
+  EXPECT_LT(std::abs(frame->info.budget.relativeImbalance()), 1e-12);
 }
 
 TEST(FlowEstimate, IsAboutWhatIsThere) {

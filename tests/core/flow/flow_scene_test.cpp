@@ -183,6 +183,15 @@ TEST(FlowSceneIssues, SourcesThatCannotFlow) {
             std::string::npos);
 }
 
+TEST(FlowSceneIssues, ABodyWithoutItsModel) {
+  FlowTestScene scene;
+  test::slopeScene(scene).add(kAvalancheReleaseType, "release", test::squareRelease(2.0, 4.0, 0.5));
+  RigidBodyNode body;
+  body.model = "rock";
+  scene.add(kRigidBodyType, "body", body);
+  EXPECT_NE(issuesOf(flowOf(scene), true).find("body: model is \"rock\""), std::string::npos);
+}
+
 TEST(FlowWalls, GroundTypesGiveTheirFriction) {
   FlowTestScene scene;
   test::slopeScene(scene).add(kAvalancheReleaseType, "release", test::squareRelease(2.0, 4.0, 0.5));

@@ -55,6 +55,34 @@ struct FlowTestScene {
   }
 };
 
+/// A cube of edge `size` about its origin, as a model.
+inline std::shared_ptr<const ModelData> cubeModel(float size) {
+  Mesh mesh;
+  for (int k = 0; k < 8; ++k)
+    mesh.positions.push_back(
+        {(k & 1 ? 0.5f : -0.5f) * size, (k & 2 ? 0.5f : -0.5f) * size, (k & 4 ? 0.5f : -0.5f) * size});
+  mesh.indices = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                  2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+  auto model = std::make_shared<ModelData>();
+  model->meshes = {std::move(mesh)};
+  model->materials.resize(1);
+  model->instances = {{0, Transform{}}};
+  return model;
+}
+
+/// A cube in the scene and the body that makes it solid.
+inline void addCube(FlowTestScene& scene, const std::string& id, float size, Vec3d position,
+                    RigidMotion motion) {
+  ModelNode model;
+  model.position = position;
+  RigidBodyNode body;
+  body.model = id;
+  body.motion = motion;
+  body.density = 250.0;
+  scene.snapshot.models[id] = cubeModel(size);
+  scene.add(kModelType, id, model).add(kRigidBodyType, id + "_body", body);
+}
+
 inline AvalancheReleaseNode squareRelease(double low, double high, double depth) {
   AvalancheReleaseNode release;
   release.outline = {{low, low}, {high, low}, {high, high}, {low, high}};
@@ -83,6 +111,8 @@ inline SceneSnapshot busyScene() {
   source.velocity = {2.0, 0.0, 0.0};
   source.flowPerMetre = 0.7;
   source.start = 0.15;
+  addCube(scene, "crate", 0.8f, {6.5, 3.0, 0.5}, RigidMotion::Dynamic);
+  addCube(scene, "pillar", 1.0f, {8.0, 5.0, 0.4}, RigidMotion::Static);
   FlowSinkNode sink;
   sink.position = {9.0, 6.0, 0.5};
   sink.size = {1.0, 12.0, 3.0};
