@@ -15,6 +15,15 @@ BenchCase massCase();
 BenchCase sphSpeedCase();
 BenchCase kernelSumsCase();
 BenchCase damBreakCase();
+BenchCase filmBinghamCase();
+BenchCase filmCrossCase();
+BenchCase slumpCase();
+BenchCase granularColumnCase();
+BenchCase inclineSlipCase();
+BenchCase penetrationCase();
+BenchCase conservationCase();
+BenchCase taylorGreenSphCase();
+BenchCase sphWorkPrecisionCase();
 BenchCase hydrostaticCase();
 BenchCase buoyancyCase();
 BenchCase poiseuilleCase();
@@ -26,11 +35,13 @@ BenchCase channelCrossCase();
 
 const std::vector<BenchCase>& builtInBenchCases() {
   static const std::vector<BenchCase> cases = {
-      terminalSpeedCase(),   sizeSpectrumCase(), exposureEdgeCase(), exposureRaytracedCase(),
-      slopeCatchCase(),      massCase(),         sphSpeedCase(),     hydrostaticCase(),
-      poiseuilleCase(),      couetteCase(),      channelPowerCase(), channelBinghamCase(),
-      channelHerschelCase(), channelCrossCase(), kernelSumsCase(),   damBreakCase(),
-      buoyancyCase(),
+      terminalSpeedCase(),    sizeSpectrumCase(), exposureEdgeCase(), exposureRaytracedCase(),
+      slopeCatchCase(),       massCase(),         sphSpeedCase(),     hydrostaticCase(),
+      poiseuilleCase(),       couetteCase(),      channelPowerCase(), channelBinghamCase(),
+      channelHerschelCase(),  channelCrossCase(), kernelSumsCase(),   damBreakCase(),
+      filmBinghamCase(),      filmCrossCase(),    slumpCase(),        granularColumnCase(),
+      inclineSlipCase(),      penetrationCase(),  conservationCase(), taylorGreenSphCase(),
+      sphWorkPrecisionCase(), buoyancyCase(),
   };
   return cases;
 }

@@ -68,23 +68,30 @@ std::string tableHtml(const Rows& rows) {
   return out + "</table>\n";
 }
 
-/// Error against seconds, one curve for each metric with an error bar.
+constexpr const char* kPace = "seconds_per_simulated_second";
+
+/// Error against seconds (for a simulated second where all rows say so), one curve for each metric with an
+/// error bar.
 std::string speedErrorPlot(const Rows& rows) {
   std::vector<PlotSeries> series;
+  const bool paced =
+      std::all_of(rows.begin(), rows.end(), [](const BenchRow* row) { return findMetric(*row, kPace); });
   for (const std::string& name : metricNames(rows)) {
     PlotSeries s{name, {}, false, 0.0};
     for (const BenchRow* row : rows) {
       const BenchMetric* m = findMetric(*row, name);
       if (!m || !m->hasBar || m->isTime) continue;
       if (s.points.empty()) s.name += m->unit.empty() ? "" : " [" + m->unit + "]";
-      s.points.emplace_back(row->seconds, m->value);
+      s.points.emplace_back(paced ? findMetric(*row, kPace)->value : row->seconds, m->value);
       s.hasBar = true;
       s.bar = m->bar;
     }
     std::sort(s.points.begin(), s.points.end());
     if (!s.points.empty()) series.push_back(std::move(s));
   }
-  return series.empty() ? std::string() : logPlotSvg(series, "seconds", "error (dashed: bar)");
+  return series.empty()
+             ? std::string()
+             : logPlotSvg(series, paced ? "seconds per simulated second" : "seconds", "error (dashed: bar)");
 }
 
 constexpr const char* kHead =

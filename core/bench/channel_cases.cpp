@@ -8,7 +8,7 @@
 
 #include "core/base/units.h"
 #include "core/bench/bench_meter.h"
-#include "core/bench/flow_bench_scene.h"
+#include "core/bench/flow_trials.h"
 #include "core/bench/worst.h"
 
 namespace spin {
@@ -30,7 +30,9 @@ struct Channel {
   double plug = 0.0;  ///< half width of the part that moves as one, m
 };
 
-FlowConfig channelConfig(const Channel& channel, const FlowMode& mode, int across) {
+FlowConfig channelConfig(const Channel& channel, const FlowTrial& trial) {
+  const FlowMode& mode = trial.mode;
+  const int across = trial.across;
   const int width = slabWidth(mode.supportSpacings);
   FlowConfig c;
   c.spacing = 2.0 * kHalf / across;
@@ -38,6 +40,8 @@ FlowConfig channelConfig(const Channel& channel, const FlowMode& mode, int acros
   c.domainMin = {0, 0, -0.3};
   c.domainMax = {width * c.spacing, width * c.spacing, 1.3};
   c.periodic[0] = c.periodic[1] = true;
+  c.density = trial.density;
+  c.courant = trial.courant;
   c.clampTension = false;
   c.gravity = {channel.push / kDensity, 0, 0};
   c.materials[0].restDensity = kDensity;
@@ -64,13 +68,15 @@ ProfileErrors errorsOf(const Channel& channel, const FlowSolver& solver, double 
           inPlug > 0 ? std::abs(plug / inPlug / channel.exact(kHalf, t) - 1.0) : 0.0};
 }
 
-Result<BenchRow> measure(const BenchOptions& options, const Channel& channel, const FlowMode& mode,
-                         int across, double bar) {
+Result<BenchRow> measure(const BenchOptions& options, const Channel& channel, const FlowTrial& trial,
+                         double bar) {
+  const FlowMode& mode = trial.mode;
+  const int across = trial.across;
   BenchRow row;
   row.caseId = channel.id;
-  row.settings = {{"mode", mode.id}, {"across", std::to_string(across)}};
+  describe(trial, row);
   const BenchMeter meter;
-  const FlowConfig c = channelConfig(channel, mode, across);
+  const FlowConfig c = channelConfig(channel, trial);
   const int width = slabWidth(mode.supportSpacings);
   auto particles = flowLattice(c, width, width, across, {}, 0.0);
   for (FlowParticle& p : particles) p.velocity.x = channel.startShare * channel.exact(p.position.z, 0.0);
@@ -110,8 +116,12 @@ Result<std::vector<BenchRow>> runChannel(const BenchOptions& options, Channel ch
   for (const int n : across)
     for (const FlowMode& mode : {kFastMode, kAccurateMode}) {
       if (options.quick && mode.supportSpacings > 2.5) continue;
+      FlowTrial trial;
+      trial.mode = mode;
+      trial.density = DensityMode::Summation;
+      trial.across = n;
       Result<BenchRow> row =
-          measure(options, channel, mode, n, mode.supportSpacings > 2.5 ? accurateBar : fastBar);
+          measure(options, channel, trial, mode.supportSpacings > 2.5 ? accurateBar : fastBar);
       if (!row) return row.error();
       rows.push_back(std::move(*row));
     }
@@ -224,6 +234,10 @@ Result<std::vector<BenchRow>> runCross(const BenchOptions& options) {
 }
 
 }  // namespace
+
+Result<BenchRow> poiseuilleTrial(const BenchOptions& options, const FlowTrial& trial) {
+  return measure(options, poiseuille(), trial, trial.mode.supportSpacings > 2.5 ? 0.01 : 0.025);
+}
 
 BenchCase poiseuilleCase() {
   return {"poiseuille", "start-up and steady profile between plates", "series of Morris et al. 1997",

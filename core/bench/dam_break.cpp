@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/bench/dam_break.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +12,7 @@ namespace {
 
 constexpr double kGravity = 9.80665, kWidth = 1.0, kDepth = 2.0;
 
-FlowConfig columnConfig(const DamSetting& setting) {
+FlowConfig columnConfig(const FlowTrial& setting) {
   FlowConfig c;
   c.spacing = kWidth / setting.across;
   c.supportSpacings = setting.mode.supportSpacings;
@@ -58,14 +56,6 @@ double positionAt(const std::vector<FrontPoint>& front, double t) {
 
 }  // namespace
 
-void describe(const DamSetting& setting, BenchRow& row) {
-  row.settings["mode"] = setting.mode.id;
-  row.settings["density"] = setting.density == DensityMode::Continuity ? "continuity" : "summation";
-  row.settings["across"] = std::to_string(setting.across);
-  row.settings["courant"] = fmt::format("{:g}", setting.courant);
-  row.settings["floor"] = setting.floor == WallFriction::FreeSlip ? "free slip" : "no slip";
-}
-
 Result<std::vector<FlowParticle>> settled(FlowConfig config, std::vector<FlowParticle> particles,
                                           double depth, double seconds, const BenchOptions& options) {
   const double viscosity =
@@ -83,7 +73,7 @@ Result<std::vector<FlowParticle>> settled(FlowConfig config, std::vector<FlowPar
   return particles;
 }
 
-Result<DamFront> runDamFront(const BenchOptions& options, const DamSetting& setting) {
+Result<DamFront> runDamFront(const BenchOptions& options, const FlowTrial& setting) {
   const FlowConfig c = columnConfig(setting);
   const int row = slabWidth(c.supportSpacings);
   auto particles = flowLattice(c, setting.across, row, 2 * setting.across, {}, 0.1);

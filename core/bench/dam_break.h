@@ -5,21 +5,9 @@
 #include <vector>
 
 #include "core/bench/dam_break_reference.h"
-#include "core/bench/flow_bench_scene.h"
+#include "core/bench/flow_trials.h"
 
 namespace spin {
-
-/// How a dam break is computed.
-struct DamSetting {
-  FlowMode mode = kFastMode;
-  DensityMode density = DensityMode::Continuity;
-  int across = 20;        ///< spacings to the column's width
-  double courant = 0.25;  ///< share of a spacing that sound goes in a step
-  WallFriction floor = WallFriction::FreeSlip;
-};
-
-/// The setting as a row has it.
-void describe(const DamSetting& setting, BenchRow& row);
 
 struct DamFront {
   std::vector<FrontPoint> front;  ///< s, m; column 1 m wide and 2 m high
@@ -30,7 +18,7 @@ struct DamFront {
 
 /// The column of Koshizuka and Oka 1996 until 0.8 s. By summation it first settles behind the gate: particles
 /// on a lattice beside a wall have 3 to 4 % too much density, which would blow the column apart.
-Result<DamFront> runDamFront(const BenchOptions& options, const DamSetting& setting);
+Result<DamFront> runDamFront(const BenchOptions& options, const FlowTrial& setting);
 
 /// Relative RMS error of a front against points that are measured `shift` seconds later.
 double frontError(const std::vector<FrontPoint>& front, const std::vector<FrontPoint>& measured,

@@ -12,25 +12,8 @@ namespace {
 constexpr double kGravity = 9.80665, kDensity = 1000.0;
 constexpr double kArrivalPressure = 0.05;  // rho g H
 
-Result<BenchRow> measureFront(const BenchOptions& options, const DamSetting& setting) {
-  BenchRow row;
-  row.caseId = "dam-break";
-  row.settings["measured"] = "front";
-  describe(setting, row);
-  const BenchMeter meter;
-  const Result<DamFront> run = runDamFront(options, setting);
-  if (!run) return run.error();
-  double shift = 0.0;
-  row.addError("koshizuka_oka", shiftedFrontError(run->front, koshizukaOkaFront(), shift), "1", 0.03);
-  row.addFigure("shift", shift, "s");
-  row.addFigure("koshizuka_oka_raw", frontError(run->front, koshizukaOkaFront(), 0.0), "1");
-  row.addFigure("martin_moyce", shiftedFrontError(run->front, martinMoyceFront(false), shift), "1");
-  row.addFigure("martin_moyce_narrow", shiftedFrontError(run->front, martinMoyceFront(true), shift), "1");
-  row.addFigure("energy_kept", run->energy, "1");
-  row.addTime("seconds_per_simulated_second", run->seconds, "1");
-  meter.finish(row);
-  row.device = run->device;
-  return row;
+const char* floorName(const FlowTrial& setting) {
+  return setting.floor == WallFriction::FreeSlip ? "free slip" : "no slip";
 }
 
 /// Pressure at a sensor: the mean of what is within two spacings of it, each brought to its height. The water
@@ -70,7 +53,7 @@ class Sensor {
   int m_moments = 0;
 };
 
-FlowConfig tankConfig(const DamSetting& setting) {
+FlowConfig tankConfig(const FlowTrial& setting) {
   FlowConfig c;
   c.spacing = kLobovskyDepth / setting.across;
   c.supportSpacings = setting.mode.supportSpacings;
@@ -89,11 +72,12 @@ FlowConfig tankConfig(const DamSetting& setting) {
   return c;
 }
 
-Result<BenchRow> measureImpact(const BenchOptions& options, const DamSetting& setting) {
+Result<BenchRow> measureImpact(const BenchOptions& options, const FlowTrial& setting) {
   BenchRow row;
   row.caseId = "dam-break";
   row.settings["measured"] = "pressure";
   describe(setting, row);
+  row.settings["floor"] = floorName(setting);
   const BenchMeter meter;
   const FlowConfig c = tankConfig(setting);
   auto solver = startFlow(
@@ -114,14 +98,14 @@ Result<BenchRow> measureImpact(const BenchOptions& options, const DamSetting& se
   return row;
 }
 
-std::vector<DamSetting> settingsOf(const BenchOptions& options) {
-  DamSetting coarse, fine, accurate, sums;
+std::vector<FlowTrial> settingsOf(const BenchOptions& options) {
+  FlowTrial coarse, fine, accurate, sums;
   coarse.across = options.quick ? 16 : 20;
   if (options.quick) return {coarse};
   fine.across = 40;
   accurate.mode = kAccurateMode;
   sums.density = DensityMode::Summation;
-  DamSetting sticky = fine;
+  FlowTrial sticky = fine;
   sticky.floor = WallFriction::NoSlip;
   return {coarse, fine, accurate, sums, sticky};
 }
@@ -133,13 +117,13 @@ std::vector<std::pair<int, WallFriction>> impactsOf(const BenchOptions& options)
 
 Result<std::vector<BenchRow>> run(const BenchOptions& options) {
   std::vector<BenchRow> rows;
-  for (const DamSetting& setting : settingsOf(options)) {
-    Result<BenchRow> row = measureFront(options, setting);
+  for (const FlowTrial& setting : settingsOf(options)) {
+    Result<BenchRow> row = damFrontTrial(options, setting);
     if (!row) return row.error();
     rows.push_back(std::move(*row));
   }
   // On its way of five depths, a layer of a fifth of a depth: how the floor holds it counts.
-  DamSetting impact;
+  FlowTrial impact;
   for (const auto& [across, floor] : impactsOf(options)) {
     impact.across = across;
     impact.floor = floor;
@@ -151,6 +135,28 @@ Result<std::vector<BenchRow>> run(const BenchOptions& options) {
 }
 
 }  // namespace
+
+Result<BenchRow> damFrontTrial(const BenchOptions& options, const FlowTrial& setting) {
+  BenchRow row;
+  row.caseId = "dam-break";
+  row.settings["measured"] = "front";
+  describe(setting, row);
+  row.settings["floor"] = floorName(setting);
+  const BenchMeter meter;
+  const Result<DamFront> run = runDamFront(options, setting);
+  if (!run) return run.error();
+  double shift = 0.0;
+  row.addError("koshizuka_oka", shiftedFrontError(run->front, koshizukaOkaFront(), shift), "1", 0.03);
+  row.addFigure("shift", shift, "s");
+  row.addFigure("koshizuka_oka_raw", frontError(run->front, koshizukaOkaFront(), 0.0), "1");
+  row.addFigure("martin_moyce", shiftedFrontError(run->front, martinMoyceFront(false), shift), "1");
+  row.addFigure("martin_moyce_narrow", shiftedFrontError(run->front, martinMoyceFront(true), shift), "1");
+  row.addFigure("energy_kept", run->energy, "1");
+  row.addTime("seconds_per_simulated_second", run->seconds, "1");
+  meter.finish(row);
+  row.device = run->device;
+  return row;
+}
 
 BenchCase damBreakCase() {
   return {"dam-break", "front of a collapsing column; pressures on the wall it hits",

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/bench/flow_bench_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/bench/flow_trials.h"
 #ifdef SPIN_HAVE_CUDA
 #include "gpu/cuda_device.h"
 #include "gpu/flow_solver_cuda.h"
@@ -76,6 +79,13 @@ Result<int> runFlow(FlowSolver& solver, double seconds) {
     seconds -= done->seconds;
   }
   return steps;
+}
+
+void describe(const FlowTrial& trial, BenchRow& row) {
+  row.settings["mode"] = trial.mode.id;
+  row.settings["density"] = trial.density == DensityMode::Continuity ? "continuity" : "summation";
+  row.settings["across"] = std::to_string(trial.across);
+  row.settings["courant"] = fmt::format("{:g}", trial.courant);
 }
 
 void nameDevice(const FlowSolver& solver, const BenchOptions& options, BenchRow& row) {

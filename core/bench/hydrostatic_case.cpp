@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/bench/bench_meter.h"
-#include "core/bench/flow_bench_scene.h"
+#include "core/bench/flow_trials.h"
 #include "core/bench/worst.h"
 
 namespace spin {
@@ -53,17 +53,38 @@ void addErrors(const ColumnMeans& means, double depth, const FlowMode& mode, int
   row.addError("residual_speed", speed / std::sqrt(kGravity * depth), "sqrt(g H)", 0.02);
 }
 
-Result<BenchRow> measure(const BenchOptions& options, const FlowMode& mode, int layers) {
+Result<std::vector<BenchRow>> run(const BenchOptions& options) {
+  std::vector<BenchRow> rows;
+  const std::vector<int> depths = options.quick ? std::vector<int>{40} : std::vector<int>{20, 40, 100};
+  for (const int layers : depths)
+    for (const FlowMode& mode : {kFastMode, kAccurateMode}) {
+      if (options.quick && mode.supportSpacings > 2.5) continue;
+      FlowTrial trial;
+      trial.mode = mode;
+      trial.across = layers;
+      Result<BenchRow> row = hydrostaticTrial(options, trial);
+      if (!row) return row.error();
+      rows.push_back(std::move(*row));
+    }
+  return rows;
+}
+
+}  // namespace
+
+Result<BenchRow> hydrostaticTrial(const BenchOptions& options, const FlowTrial& trial) {
+  const FlowMode& mode = trial.mode;
+  const int layers = trial.across;
   BenchRow row;
   row.caseId = "hydrostatic";
-  row.settings = {{"mode", mode.id}, {"layers", std::to_string(layers)}, {"density", "continuity"}};
+  describe(trial, row);
   const BenchMeter meter;
   const double depth = layers * kSpacing;
   const int width = slabWidth(mode.supportSpacings);
   FlowConfig c;
   c.spacing = kSpacing;
   c.supportSpacings = mode.supportSpacings;
-  c.density = DensityMode::Continuity;
+  c.density = trial.density;
+  c.courant = trial.courant;
   c.domainMin = {0, 0, -4 * kSpacing};
   c.domainMax = {width * kSpacing, width * kSpacing, 1.5 * depth};
   c.periodic[0] = c.periodic[1] = true;
@@ -87,21 +108,6 @@ Result<BenchRow> measure(const BenchOptions& options, const FlowMode& mode, int 
   nameDevice(**solver, options, row);
   return row;
 }
-
-Result<std::vector<BenchRow>> run(const BenchOptions& options) {
-  std::vector<BenchRow> rows;
-  const std::vector<int> depths = options.quick ? std::vector<int>{40} : std::vector<int>{20, 40, 100};
-  for (const int layers : depths)
-    for (const FlowMode& mode : {kFastMode, kAccurateMode}) {
-      if (options.quick && mode.supportSpacings > 2.5) continue;
-      Result<BenchRow> row = measure(options, mode, layers);
-      if (!row) return row.error();
-      rows.push_back(std::move(*row));
-    }
-  return rows;
-}
-
-}  // namespace
 
 BenchCase hydrostaticCase() {
   return {"hydrostatic", "pressure, height and residual speed of a water column at rest",
