@@ -2,9 +2,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "core/property/property_table.h"
 
 namespace spin {
+
+/// What the colours of flowing particles tell; Material draws them as what they are.
+enum class FlowDisplay : std::uint8_t {
+  Material,
+  Speed,
+  Density,
+  Pressure,
+  Acceleration,
+  ShearRate,
+  Viscosity,
+  ParticleClass,
+  Age,
+  Neighbours
+};
+/// Ids and labels, by number.
+extern const std::array<Choice, 10> kFlowDisplayChoices;
 
 /// How pictures are made.
 struct RenderNode : NodeData {
@@ -16,6 +35,13 @@ struct RenderNode : NodeData {
   bool showFlakes = true;
   bool showCaption = true;  ///< caption and credit line on pictures
   std::string caption;
+  FlowDisplay flowDisplay = FlowDisplay::Material;
+  bool flowRangeAuto = true;      ///< of the colours: what the frame's particles have
+  double flowRangeLow = 0.0;      ///< SI unit of what is shown
+  double flowRangeHigh = 30.0;    ///< SI unit of what is shown
+  bool flowLogarithmic = false;   ///< colours by the logarithm; for values above 0
+  bool flowLegend = true;         ///< printed where colours stand for values
+  bool showFlowBoundary = false;  ///< particles of bodies' surfaces
 };
 extern const NodeType kRenderType;
 

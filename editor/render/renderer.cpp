@@ -9,6 +9,7 @@
 #include "core/nodes/camera_node.h"
 #include "editor/render/cover_pass.h"
 #include "editor/render/flake_pass.h"
+#include "editor/render/flow_pass.h"
 #include "editor/render/gl_state.h"
 #include "editor/render/model_pass.h"
 #include "editor/render/noise_texture.h"
@@ -50,6 +51,7 @@ struct Renderer::State {
   ShadowPass shadows;
   CoverPass cover;
   FlakePass flakes;
+  FlowPass flow;
   GlProgram sky;
   GlVertexArray screenArray;
   GlTexture noise;
@@ -110,6 +112,7 @@ Status Renderer::initialise() {
   if (Status s = st.shadows.initialise(); !s) return s;
   if (Status s = st.cover.initialise(); !s) return s;
   if (Status s = st.flakes.initialise(); !s) return s;
+  if (Status s = st.flow.initialise(); !s) return s;
   auto sky = GlProgram::build("screen.vert", "sky.frag");
   if (!sky) return sky.error();
   st.sky = std::move(*sky);
@@ -152,7 +155,11 @@ void Renderer::State::updateCover() {
     return at == frame->parts.end() ? nullptr : at->second;
   };
   cover.setCover(std::dynamic_pointer_cast<const CoverPart>(part("cover")), scene.get());
-  flakes.setFlakes(std::dynamic_pointer_cast<const ParticlePart>(part("flakes")));
+  const auto particles = [&](const char* name) {
+    return std::dynamic_pointer_cast<const ParticlePart>(part(name));
+  };
+  flakes.setFlakes(particles("flakes"));
+  flow.setFlow(particles("flow"), particles("flow_boundary"));
 }
 
 FrameBlock Renderer::State::makeBlock(const RenderCamera& camera, double filmTime,
@@ -198,11 +205,12 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
   const Vec3d toSun = lightModel(*scene, filmTime, 0.0).toSun;
   timed("ground", [&] { terrain.update(*scene, filmTime, options.ground, toSun); });
   const std::vector<PlacedModel> placed = models.place(*scene, filmTime);
-  timed("shadow", [&] { shadows.update(models, placed, camera, toSun, b); });
+  timed("shadow", [&] { shadows.update(models, placed, flow, camera, toSun, b); });
   glNamedBufferSubData(block.id(), 0, sizeof b, &b);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, block.id());
   const DrawContext context{
       *scene, camera, filmTime, options, b, Frustum(b.viewProjection), static_cast<double>(b.viewport.z)};
+  timed("flow surface", [&] { flow.prepare(context); });
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, options.width, options.height);
   limitToBand(options);
@@ -215,7 +223,7 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
   timed("models", [&] { models.draw(context, placed); });
   timed("terrain", [&] {
     if (snow) cover.drawFine(context);
-    terrain.draw(context, snow ? cover.cuts() : std::vector<Vec4f>{});
+    terrain.draw(context, snow ? cover.cuts() : std::vector<Vec4f>{}, flow.bounds());
   });
   timed("sky", [&] {
     sky.use();
@@ -226,6 +234,10 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   timed("cover", [&] {
     if (snow) cover.drawPatches(context, placed);
+  });
+  timed("flow", [&] {
+    flow.draw(context);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   });
   glDepthMask(GL_FALSE);
   timed("flakes", [&] {
