@@ -55,7 +55,8 @@ constexpr PropertyRow kRenderRows[] = {
         .affecting(Affects::Picture),
     property<&RenderNode::flowDisplay>(
         "flow_display", SPIN_TR("Flow shows"),
-        SPIN_TR("What the colours of flowing particles tell. Material draws snow as snow and water as water."))
+        SPIN_TR(
+            "What the colours of flowing particles tell. Material draws snow as snow and water as water."))
         .oneOf(kFlowDisplayChoices)
         .affecting(Affects::Picture),
     property<&RenderNode::flowRangeAuto>(
@@ -76,11 +77,11 @@ constexpr PropertyRow kRenderRows[] = {
         .affecting(Affects::Picture),
     property<&RenderNode::flowLogarithmic>(
         "flow_logarithmic", SPIN_TR("Logarithmic colours"),
-        SPIN_TR("Each step of colour multiplies the value: for viscosity and shear rate. Needs values above 0."))
+        SPIN_TR(
+            "Each step of colour multiplies the value: for viscosity and shear rate. Needs values above 0."))
         .affecting(Affects::Picture),
-    property<&RenderNode::flowLegend>(
-        "flow_legend", SPIN_TR("Show legend"),
-        SPIN_TR("Print what the colours mean where they stand for values."))
+    property<&RenderNode::flowLegend>("flow_legend", SPIN_TR("Show legend"),
+                                      SPIN_TR("Print what the colours mean where they stand for values."))
         .affecting(Affects::Picture),
     property<&RenderNode::showFlowBoundary>("show_flow_boundary", SPIN_TR("Show boundary particles"),
                                             SPIN_TR("Draw the particles that stand for moving bodies."))
@@ -135,6 +136,17 @@ constexpr PropertyRow kSimulationRows[] = {
         SPIN_TR("Frames between full saves of the state, from which an edit restarts."))
         .range(1, 10000, 1)
         .affecting(Affects::Nothing),
+    // frameKeys() hashes these for the processes that they hold still.
+    property<&SimulationNode::pauseSnow>(
+        "pause_snow", SPIN_TR("Pause snow"),
+        SPIN_TR("While it is on, falling snow and cover stand still and everything else goes on."))
+        .animated()
+        .affecting(Affects::Picture),
+    property<&SimulationNode::pauseFlow>(
+        "pause_flow", SPIN_TR("Pause flow"),
+        SPIN_TR("While it is on, avalanches, water and bodies stand still and everything else goes on."))
+        .animated()
+        .affecting(Affects::Picture),
 };
 
 }  // namespace

@@ -58,6 +58,8 @@ struct SimulationNode : NodeData {
   double shedsAboveDegrees = 60;  ///< slopes steeper than this keep none
   double exposureNoise = 0.1;     ///< amplitude of the unevenness of the cover
   int checkpointInterval = 24;    ///< frames
+  bool pauseSnow = false;         ///< snowfall and cover stand still
+  bool pauseFlow = false;         ///< avalanches, water and bodies stand still
 };
 extern const NodeType kSimulationType;
 

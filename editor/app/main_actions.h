@@ -35,6 +35,8 @@ class MainActions : public QObject {
   void addEditMenu();
   void addViewMenu();
   void addGroundMenu(QMenu* view);
+  void addFlowMenu(QMenu* view);
+  void showFlowSettings();
   void addSimulateMenu();
   void addHelpMenu();
   void addTools();
@@ -49,6 +51,8 @@ class MainActions : public QObject {
   QMenu* m_nodeMenu = nullptr;
   QAction* m_duplicate = nullptr;
   QAction* m_delete = nullptr;
+  std::vector<QAction*> m_flowDisplays;  ///< by FlowDisplay
+  QAction* m_flowBoundary = nullptr;
   std::vector<QAction*> m_all;
 };
 

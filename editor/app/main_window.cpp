@@ -16,6 +16,7 @@
 #include "core/nodes/settings_nodes.h"
 #include "editor/app/export_dialog.h"
 #include "editor/app/file_flow.h"
+#include "editor/app/flow_defaults.h"
 #include "editor/app/import_flow.h"
 #include "editor/app/import_job.h"
 #include "editor/app/main_actions.h"
@@ -44,14 +45,6 @@ T settingsOf(const Scene& scene, const NodeType& type) {
   const SceneNode* node = scene.firstOf(type);
   const T* data = node ? node->as<T>() : nullptr;
   return data ? *data : T{};
-}
-
-/// What the middle of the view shows of the terrain.
-ImportFlow::Sight sightOf(const Viewport& viewport) {
-  const ViewportContext seen = viewport.context();
-  if (!seen.scene) return {};
-  const Vec2d middle{0.5 * seen.view.width(), 0.5 * seen.view.height()};
-  return {pickTerrain(*seen.scene, seen.view.ray(middle)), seen.scene->terrain};
 }
 
 }  // namespace
@@ -87,7 +80,10 @@ MainWindow::MainWindow(std::shared_ptr<AssetReader> reader, QWidget* parent)
   connect(m_tools, &SceneTools::message, this, &MainWindow::showMessage);
   connect(m_imports, &ImportFlow::message, this, &MainWindow::showMessage);
   connect(m_imports, &ImportFlow::firstTerrainAdded, this, [this] { m_lookWanted = true; });
-  m_imports->sight = [this] { return sightOf(*m_viewport); };
+  m_imports->sight = [this] {
+    const ViewSight seen = sightOf(*m_viewport);
+    return ImportFlow::Sight{seen.place, seen.terrain};
+  };
   connect(m_viewport, &Viewport::failed, this, &MainWindow::showMessage);
   connect(m_document, &SceneDocument::saveFinished, this, [this](bool ok, const QString&) {
     if (ok) showMessage(tr("Saved."));

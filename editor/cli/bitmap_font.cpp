@@ -152,7 +152,8 @@ void drawText(ImageFloat& image, const std::string& letters, int x0, int y0, int
           blend(image, x, y, scale, 0.95f, 0.95f);
         else if (!ofBefore && covers(letters[i], column, row, 1))
           blend(image, x, y, scale, 0.02f, 0.85f);
-        else if (column == BitmapFont::kGlyphWidth && i + 1 < letters.size() && covers(letters[i + 1], -1, row, 1))
+        else if (column == BitmapFont::kGlyphWidth && i + 1 < letters.size() &&
+                 covers(letters[i + 1], -1, row, 1))
           blend(image, x, y, scale, 0.02f, 0.85f);
       }
 }

@@ -66,8 +66,8 @@ void drawLegend(ImageFloat& image, const FlowLegend& legend) {
   const int needed = std::max(bar, widthOf(title, scale)) + 2 * margin;
   if (needed > image.width / 2 || height < 4 * BitmapFont::kLineHeight * scale) return;
   const int top = image.height / 2 - height / 2;
-  drawText(image, title, image.width - margin - widthOf(title, scale), top - BitmapFont::kLineHeight * scale * 3 / 2,
-           scale);
+  drawText(image, title, image.width - margin - widthOf(title, scale),
+           top - BitmapFont::kLineHeight * scale * 3 / 2, scale);
   const int x = image.width - margin - bar;
   if (legend.scale.classes)
     drawClasses(image, legend, x, top, scale);

@@ -52,10 +52,9 @@ std::array<int, 4> pixelsOf(const Box3d& box, const Matrix4& m, int width, int h
     }
   }
   const auto bounded = [](double v, int most) { return static_cast<int>(std::clamp(v, 0.0, 1.0 * most)); };
-  const std::array<int, 4> r{bounded(std::floor(low[0] - margin), width),
-                             bounded(std::floor(low[1] - margin), height),
-                             bounded(std::ceil(high[0] + margin), width),
-                             bounded(std::ceil(high[1] + margin), height)};
+  const std::array<int, 4> r{
+      bounded(std::floor(low[0] - margin), width), bounded(std::floor(low[1] - margin), height),
+      bounded(std::ceil(high[0] + margin), width), bounded(std::ceil(high[1] + margin), height)};
   return r[0] < r[2] && r[1] < r[3] ? r : std::array<int, 4>{0, 0, 0, 0};
 }
 

@@ -13,8 +13,9 @@ namespace {
 constexpr double kRadius = 0.8;          // of the spacing: spheres of a lattice at rest close up
 constexpr double kSmallestPixels = 1.1;  // radius
 /// Radius in the targets' pixels that suffices for a smooth surface; nearer flows get coarser targets.
-constexpr double kEnoughPixels = 7.0;
-constexpr double kCoarsest = 0.25;
+constexpr double kEnoughPixels = 9.0;
+constexpr double kCoarsest = 0.5;
+constexpr float kScatter = 0.3f;  // radii by which drawn particles stand off their places at most
 constexpr std::size_t kSample = 2000;
 /// Volume of a particle at rest over that of its drawn sphere.
 constexpr double kFilled = 1.0 / (4.0 / 3.0 * 3.14159265358979 * kRadius * kRadius * kRadius);
@@ -36,7 +37,8 @@ float rise(double low, double high, double value) {
   return static_cast<float>(t * t * (3.0 - 2.0 * t));
 }
 
-/// Clip distance before the eye that a fifth of the particles in sight are nearer than; 0 if none is in sight.
+/// Clip distance before the eye that a fifth of the particles in sight are nearer than; 0 if none is in
+/// sight.
 double nearDistance(const std::vector<Vec3f>& positions, const DrawContext& context) {
   const Matrix4& m = context.block.viewProjection;
   const std::size_t stride = std::max<std::size_t>(1, positions.size() / kSample);
@@ -119,7 +121,7 @@ Status FlowPass::initialise() {
 }
 
 void FlowPass::setFlow(std::shared_ptr<const ParticlePart> flow,
-                       std::shared_ptr<const ParticlePart> boundary) {
+                       std::shared_ptr<const ParticlePart> boundary, double spacing) {
   if (flow == m_flow && boundary == m_boundary) return;
   m_flow = std::move(flow);
   m_boundary = std::move(boundary);
@@ -133,8 +135,8 @@ void FlowPass::setFlow(std::shared_ptr<const ParticlePart> flow,
   m_allBounds = m_bounds;
   if (m_boundaryCount > 0)
     for (const Vec3f& p : m_boundary->particles.positions) m_allBounds.extend(p.to<double>());
-  const double estimated = estimateSpacing(positions);
-  m_spacing = estimated > 1e-6 ? estimated : 0.1;
+  if (!(spacing > 0.0)) spacing = estimateSpacing(positions);
+  m_spacing = spacing > 1e-6 ? spacing : 0.1;
   if (m_boundaryCount > 0)
     positions.insert(positions.end(), m_boundary->particles.positions.begin(),
                      m_boundary->particles.positions.end());
@@ -156,16 +158,20 @@ void FlowPass::uploadLooks(const RenderNode& settings) {
     const ParticleSet& set = m_flow->particles;
     const std::vector<float> values = flowValues(set, settings.flowDisplay);
     const auto density = flowValues(set, FlowDisplay::Density), speed = flowValues(set, FlowDisplay::Speed);
-    const auto neighbours = flowValues(set, FlowDisplay::Neighbours);
+    const auto neighbours = flowValues(set, FlowDisplay::Neighbours),
+               viscosity = flowValues(set, FlowDisplay::Viscosity);
     m_scale = flowScale(settings, values);
     for (std::size_t k = 0; k < set.size(); ++k) {
       const auto of = [k](const std::vector<float>& list, double other) {
         return list.empty() ? other : static_cast<double>(list[k]);
       };
       const float loose = 1.0f - rise(2.0, 10.0, of(neighbours, 30.0));
-      const float water = rise(850.0, 960.0, of(density, 300.0));
-      const float fast = rise(5.0, 14.0, of(speed, 0.0));
-      looks[k] = {static_cast<float>(m_scale.place(of(values, 0.0))), water, std::max(0.8f * loose, fast), loose};
+      // Thick fluids as dense as water are slurries: they look like snow.
+      const float water =
+          rise(850.0, 960.0, of(density, 300.0)) * (1.0f - rise(0.05, 0.5, of(viscosity, 0.0)));
+      const float fast = 0.75f * rise(6.0, 20.0, of(speed, 0.0));
+      looks[k] = {static_cast<float>(m_scale.place(of(values, 0.0))), water, std::max(0.9f * loose, fast),
+                  loose};
     }
   }
   for (std::size_t k = m_count - m_boundaryCount; k < m_count; ++k) looks[k] = {0.0f, 0.0f, 0.0f, 0.6f};
@@ -176,9 +182,10 @@ void FlowPass::drawParticles(const GlProgram& program, int width, int height,
                              const DrawContext& context) const {
   const double scale = m_targets.scale * width / m_targets.width;
   const double pixels = context.pixelsPerUnit * scale;
+  const bool values = m_scale.shows != FlowDisplay::Material;
   program.use();
   program.set("uFlow", static_cast<float>(kRadius * m_spacing), static_cast<float>(pixels),
-              static_cast<float>(kSmallestPixels), 0.0f);
+              static_cast<float>(kSmallestPixels), values ? 0.0f : kScatter);
   const auto inner = [&](int picture, int target) {
     return static_cast<float>(picture * m_targets.scale / target);
   };
@@ -243,20 +250,23 @@ void FlowPass::smooth(const DrawContext& context) {
   const auto spacing = static_cast<float>(m_spacing);
   const auto pixels = static_cast<float>(context.pixelsPerUnit * m_targets.scale);
   glViewport(0, 0, m_targets.width, m_targets.height);
-  const auto target = [this](int pixel) { return static_cast<int>(pixel * m_targets.scale) + FlowTargets::kMargin;
+  const auto target = [this](int pixel) {
+    return static_cast<int>(pixel * m_targets.scale) + FlowTargets::kMargin;
   };
   const int x = target(m_pixels[0]), y = target(m_pixels[1]);
   glEnable(GL_SCISSOR_TEST);
   // At the picture's rims the margin is smoothed too.
-  glScissor(x - FlowTargets::kMargin, y - FlowTargets::kMargin, target(m_pixels[2]) - x + 2 * FlowTargets::kMargin,
+  glScissor(x - FlowTargets::kMargin, y - FlowTargets::kMargin,
+            target(m_pixels[2]) - x + 2 * FlowTargets::kMargin,
             target(m_pixels[3]) - y + 2 * FlowTargets::kMargin);
   m_smoothProgram.use();
-  m_smoothProgram.set("uRange", 1.6f * spacing, 0.6f * spacing, pixels, 0.0f);
+  m_smoothProgram.set("uRange", 1.2f * spacing, 0.5f * spacing, pixels, 0.0f);
   GLuint from = m_targets.raw.id();
-  const float reaches[2] = {2.2f, 1.1f};
-  for (const float reach : reaches)
+  // Reach in spacings and most taps; the last one closes the gaps between the taps of those before.
+  const std::pair<float, float> rounds[] = {{2.6f, 10.0f}, {1.3f, 8.0f}, {0.0f, 3.0f}};
+  for (const auto& [reach, taps] : rounds)
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      m_smoothProgram.set("uStep", axis == 0 ? 1.0f : 0.0f, axis == 0 ? 0.0f : 1.0f, reach * spacing, 8.0f);
+      m_smoothProgram.set("uStep", axis == 0 ? 1.0f : 0.0f, axis == 0 ? 0.0f : 1.0f, reach * spacing, taps);
       glBindFramebuffer(GL_FRAMEBUFFER, m_targets.smoothFramebuffer[axis].id());
       glBindTextureUnit(7, from);
       drawScreen();

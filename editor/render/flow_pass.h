@@ -16,12 +16,15 @@ namespace spin {
 
 /// Draws flowing particles as the surface they make together: the depth of their spheres is smoothed in the
 /// picture (after the idea of screen-space fluids, W. van der Laan et al. 2009; the filter keeps to a narrow
-/// range, N. Truong and C. Yuksel 2018), and the smooth surface is lit as snow or water, or coloured by a value.
+/// range, N. Truong and C. Yuksel 2018), and the smooth surface is lit as snow or water, or coloured by a
+/// value.
 class FlowPass {
  public:
   Status initialise();
-  /// Takes a frame's parts "flow" and "flow_boundary"; null = none.
-  void setFlow(std::shared_ptr<const ParticlePart> flow, std::shared_ptr<const ParticlePart> boundary);
+  /// Takes a frame's parts "flow" and "flow_boundary"; null = none. Spacing of particles at rest in m; 0 = as
+  /// the positions show it.
+  void setFlow(std::shared_ptr<const ParticlePart> flow, std::shared_ptr<const ParticlePart> boundary,
+               double spacing);
   bool empty() const { return m_count == 0; }
   /// Box round all particles, local m.
   const Box3d& bounds() const { return m_bounds; }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace spin {
 namespace {
@@ -13,6 +14,10 @@ namespace {
 constexpr double kLowShare = 0.01, kHighShare = 0.99;  // what lies beyond does not stretch the scale
 /// A logarithmic scale spans this much at most below its end.
 constexpr double kMostDecades = 6.0;
+
+/// By number of the attribute "class".
+constexpr const char* kClassLabels[] = {SPIN_TR("Within the flow"), SPIN_TR("Isolated"),
+                                        SPIN_TR("At the surface")};
 
 struct Shown {
   const char* attribute;
@@ -146,11 +151,11 @@ FlowScale flowScale(const RenderNode& settings, std::vector<float> values) {
 }
 
 const ScaleColours& scaleColours(const FlowScale& scale) {
-  static const ScaleColours kViridis = fromCodes(
-      {0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725});
+  static const ScaleColours kViridis =
+      fromCodes({0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725});
   // Told apart also by most who see fewer colours (M. Okabe, K. Ito 2008).
-  static const ScaleColours kClasses = fromCodes(
-      {0x56b4e9, 0x999999, 0xe69f00, 0xcc79a7, 0x009e73, 0xf0e442, 0x0072b2, 0xd55e00, 0xffffff});
+  static const ScaleColours kClasses =
+      fromCodes({0x56b4e9, 0x999999, 0xe69f00, 0xcc79a7, 0x009e73, 0xf0e442, 0x0072b2, 0xd55e00, 0xffffff});
   return scale.classes ? kClasses : kViridis;
 }
 
@@ -180,9 +185,12 @@ std::optional<FlowLegend> flowLegend(const SceneSnapshot& scene, const Frame* fr
   }
   std::sort(present.begin(), present.end());
   present.erase(std::unique(present.begin(), present.end()), present.end());
-  for (const float number : present)
-    legend.ticks.push_back(
-        {legend.scale.place(static_cast<double>(number)), fmt::format("{:.6g}", static_cast<double>(number))});
+  for (const float number : present) {
+    const auto kind = static_cast<std::size_t>(std::max(number, 0.0f));
+    const std::string text =
+        kind < std::size(kClassLabels) ? kClassLabels[kind] : fmt::format("{:.6g}", static_cast<double>(number));
+    legend.ticks.push_back({legend.scale.place(static_cast<double>(number)), text});
+  }
   return legend;
 }
 

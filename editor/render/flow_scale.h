@@ -40,7 +40,7 @@ Vec3d scaleColour(const FlowScale& scale, double place);
 struct FlowLegend {
   struct Tick {
     double place;  ///< 0..1
-    std::string text;
+    std::string text;  ///< a number; of classes a name, context "Properties"
   };
   const char* title = "";  ///< context "Properties"
   std::string unit;

@@ -7,6 +7,7 @@
 
 #include "core/base/units.h"
 #include "core/nodes/camera_node.h"
+#include "editor/render/area_pass.h"
 #include "editor/render/cover_pass.h"
 #include "editor/render/flake_pass.h"
 #include "editor/render/flow_pass.h"
@@ -52,6 +53,7 @@ struct Renderer::State {
   CoverPass cover;
   FlakePass flakes;
   FlowPass flow;
+  AreaPass area;
   GlProgram sky;
   GlVertexArray screenArray;
   GlTexture noise;
@@ -113,6 +115,7 @@ Status Renderer::initialise() {
   if (Status s = st.cover.initialise(); !s) return s;
   if (Status s = st.flakes.initialise(); !s) return s;
   if (Status s = st.flow.initialise(); !s) return s;
+  if (Status s = st.area.initialise(); !s) return s;
   auto sky = GlProgram::build("screen.vert", "sky.frag");
   if (!sky) return sky.error();
   st.sky = std::move(*sky);
@@ -159,7 +162,13 @@ void Renderer::State::updateCover() {
     return std::dynamic_pointer_cast<const ParticlePart>(part(name));
   };
   flakes.setFlakes(particles("flakes"));
-  flow.setFlow(particles("flow"), particles("flow_boundary"));
+  double spacing = 0.0;
+  if (frame) {
+    const auto& figures = frame->info.figures;
+    const auto told = figures.find("flow_spacing_m");
+    if (told != figures.end()) spacing = told->second;
+  }
+  flow.setFlow(particles("flow"), particles("flow_boundary"), spacing);
 }
 
 FrameBlock Renderer::State::makeBlock(const RenderCamera& camera, double filmTime,
@@ -210,6 +219,7 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, block.id());
   const DrawContext context{
       *scene, camera, filmTime, options, b, Frustum(b.viewProjection), static_cast<double>(b.viewport.z)};
+  timed("area", [&] { area.setScene(scene, options.selectedNode); });
   timed("flow surface", [&] { flow.prepare(context); });
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, options.width, options.height);
@@ -235,6 +245,9 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
   timed("cover", [&] {
     if (snow) cover.drawPatches(context, placed);
   });
+  glDepthMask(GL_FALSE);
+  timed("area", [&] { area.draw(); });
+  glDepthMask(GL_TRUE);
   timed("flow", [&] {
     flow.draw(context);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

@@ -62,8 +62,8 @@ Status ShadowPass::initialise() {
   return {};
 }
 
-void ShadowPass::update(const ModelPass& models, const std::vector<PlacedModel>& placed,
-                        const FlowPass& flow, const RenderCamera& camera, Vec3d toSun, FrameBlock& block) {
+void ShadowPass::update(const ModelPass& models, const std::vector<PlacedModel>& placed, const FlowPass& flow,
+                        const RenderCamera& camera, Vec3d toSun, FrameBlock& block) {
   const bool nothing = placed.empty() && flow.empty();
   block.zenith.w = nothing ? 0.0f : 1.0f;
   if (nothing) return;

@@ -3,16 +3,26 @@
 // Particles as round points of the size of their spheres.
 layout(std430, binding = 0) readonly buffer Positions { float positions[]; };
 layout(std430, binding = 1) readonly buffer Looks { vec4 looks[]; };
-uniform vec4 uFlow;   // radius (m), pixels that 1 m covers at 1 m, smallest radius (px), unused
+uniform vec4 uFlow;   // radius (m), pixels that 1 m covers at 1 m, smallest radius (px), scatter (radii)
 uniform vec4 uScale;  // of clip x and y for the margins
 flat out vec4 vLook;    // place on the scale, share of water, foam, looseness
 flat out vec4 vSphere;  // distance before the eye (m), radius (m), share of the disc that it really covers
 
+// Three numbers in -1..1 from one, the same on every machine.
+vec3 scatter(uint n) {
+  n = (n ^ (n >> 16)) * 0x7feb352du;
+  n = (n ^ (n >> 15)) * 0x846ca68bu;
+  n ^= n >> 16;
+  return vec3(n & 1023u, (n >> 10) & 1023u, (n >> 20) & 1023u) * (2.0 / 1023.0) - 1.0;
+}
+
 void main() {
   int k = gl_VertexID;
-  vec4 clip = uViewProjection * vec4(positions[3 * k], positions[3 * k + 1], positions[3 * k + 2], 1.0);
+  // Rows in which particles were laid out would be seen as furrows.
+  vec3 moved = scatter(uint(k)) * (uFlow.w * uFlow.x);
+  vec4 clip = uViewProjection * vec4(vec3(positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]) + moved, 1.0);
   vLook = looks[k];
-  float radius = uFlow.x * (1.0 - 0.35 * vLook.w);
+  float radius = uFlow.x * (1.0 + 0.3 * moved.x / uFlow.x - (0.3 + 0.25 * vLook.y) * vLook.w);
   float pixels = radius * uFlow.y / max(clip.w, 1e-3);
   float drawn = max(pixels, uFlow.z);
   vSphere = vec4(clip.w, radius, pixels * pixels / (drawn * drawn), 0.0);

@@ -85,6 +85,8 @@ void main() {
   vec3 ground = vec3(tilt, sqrt(max(1.0 - dot(tilt, tilt), 0.01)));
   float fine = smoothstep(0.35, 1.6, uFlow.x * uFlow.y / distance);
   normal = normalize(mix(mix(normal, ground, 0.6 * uTerrainGrid.w), normal, fine));
+  // Drops and crumbs are too small to have a lit and a dark side.
+  normal = normalize(mix(normal, vec3(0.0, 0.0, 1.0), (0.35 + 0.45 * water) * loose));
   float sunlit = modelShadow(p + uToSun.xyz * (1.6 * uFlow.x)) * mix(1.0, light.a, uTerrainGrid.w);
   float skyOpen = mix(1.0, light.z, uTerrainGrid.w);
   vec3 snow = snowSurface(p, normal, open, loose, sunlit, skyOpen, distance);
@@ -94,10 +96,15 @@ void main() {
   // Clear mountain water holds a little silt: what it takes from light per metre, and what it throws back.
   vec3 passed = exp(-all * vec3(1.1, 0.42, 0.36));
   vec3 body = vec3(0.07, 0.15, 0.16) * diffuseLight(normal, sunlit, skyOpen) * (1.0 - passed);
-  vec3 froth = vec3(0.82, 0.86, 0.88) * diffuseLight(normal, sunlit, skyOpen * mix(0.6, 1.0, open));
-  float white = smoothstep(0.25, 0.75, foam + 0.25 * (texture(uNoise, p.xy * (1.0 / 0.9)).r - 0.5));
-  vec3 wet = mix(mirror + body * (1.0 - reflectance), froth, white);
-  vec3 wetKept = (1.0 - reflectance) * passed * (1.0 - white);
+  vec2 streak = p.xy + p.zz * vec2(0.9, -0.6);
+  float bubbles = texture(uNoise, streak * (1.0 / 2.9)).r + texture(uNoise, streak * (1.0 / 0.7)).r - 1.0;
+  vec3 froth = vec3(0.80, 0.85, 0.88) * diffuseLight(normal, sunlit, skyOpen * mix(0.6, 1.0, open));
+  froth *= 0.95 + 0.35 * bubbles;
+  // Foam covers by patches; spray thins out towards its rims.
+  float white = smoothstep(0.22, 0.8, foam + 0.55 * bubbles) * (1.0 - exp(-mix(2.2, 1.1, loose) * all / uFlow.x));
+  float film = 1.0 - loose * exp(-2.0 * all / uFlow.x);
+  vec3 wet = film * (1.0 - white) * (mirror + body * (1.0 - reflectance)) + white * froth;
+  vec3 wetKept = mix(vec3(1.0), (1.0 - reflectance) * passed, film) * (1.0 - white);
   vec3 colour = mix(snow, wet, water);
   vec3 kept = mix(snowKept, wetKept, water);
   vec4 haze = hazeAt(p);
