@@ -169,6 +169,7 @@ void MainActions::addSimulateMenu() {
       [&simulation] { simulation.start(); });
   add(menu, "simulateStop", tr("S&top"), QKeySequence(Qt::SHIFT | Qt::Key_F5),
       [&simulation] { simulation.stop(); });
+  addHoldActions(menu);
   addToggle(menu, "simulateAutomatic", tr("Simulate &after edits"), simulation.automatic(), {},
             [&simulation](bool on) { simulation.setAutomatic(on); });
   menu->addSeparator();

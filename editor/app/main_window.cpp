@@ -27,6 +27,7 @@
 #include "editor/panels/issues_panel.h"
 #include "editor/panels/outliner_panel.h"
 #include "editor/panels/property_panel.h"
+#include "editor/panels/stage_panel.h"
 #include "editor/timeline/timeline_panel.h"
 #include "editor/viewport/picture_view.h"
 #include "editor/viewport/scene_picker.h"
@@ -36,7 +37,7 @@
 namespace spin {
 namespace {
 
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 constexpr int kMessageMilliseconds = 8000;
 
 /// Settings of the only node of a type; defaults without one.
@@ -111,14 +112,20 @@ void MainWindow::addDocks() {
   auto* outliner = new OutlinerPanel(m_document);
   auto* properties = new PropertyPanel(m_document, m_time);
   connect(properties, &PropertyPanel::editRefused, this, &MainWindow::showMessage);
+  connect(properties, &PropertyPanel::bodyWanted, m_tools, &SceneTools::makeRigidBody);
   connect(properties, &PropertyPanel::entered, this, [this] { m_viewport->surface()->setFocus(); });
   QDockWidget* left = dock("outlinerDock", tr("Scene"), outliner, Qt::RightDockWidgetArea);
   QDockWidget* right = dock("propertiesDock", tr("Properties"), properties, Qt::RightDockWidgetArea);
   QDockWidget* issues =
       dock("issuesDock", tr("Issues"), new IssuesPanel(m_document), Qt::RightDockWidgetArea);
+  auto* stages = new StagePanel;
+  connect(m_simulation, &SimulationController::frameShown, stages, &StagePanel::setFrame);
+  QDockWidget* stageDock = dock("stagesDock", tr("Stages"), stages, Qt::RightDockWidgetArea);
   QDockWidget* bottom = dock("timelineDock", tr("Timeline"), m_timeline, Qt::BottomDockWidgetArea);
   splitDockWidget(left, right, Qt::Vertical);
   splitDockWidget(right, issues, Qt::Vertical);
+  tabifyDockWidget(issues, stageDock);
+  issues->raise();
   resizeDocks({left, right, issues}, {220, 480, 120}, Qt::Vertical);
   resizeDocks({right}, {340}, Qt::Horizontal);
   resizeDocks({bottom}, {96}, Qt::Vertical);

@@ -3,6 +3,7 @@
 #include "editor/app/scene_tools.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <set>
 
 #include "core/nodes/camera_node.h"
@@ -127,6 +128,26 @@ void SceneTools::setPicture(const std::string& property, const Value& value) {
     Q_EMIT message(QString::fromStdString(added.error().text()));
   m_document->undoStack()->endMacro();
   m_document->select(selected);
+}
+
+void SceneTools::hold(const std::string& property, bool on) {
+  const SceneNode* node = m_document->scene().firstOf(kSimulationType);
+  if (!node || isHeld(property) == on) return;
+  const std::string id = node->id;
+  // The step that ends at the shown frame is done; the next one is held.
+  const double from = (m_time->frame() + 1) / m_time->frameRate();
+  m_document->undoStack()->beginMacro(on ? tr("Pause process") : tr("Let process go on"));
+  if (node->curves.find(property) == node->curves.end())
+    report(edit::setKey(*m_document, id, property, 0.0, !on, Interpolation::Step));
+  report(edit::setKey(*m_document, id, property, from, on, Interpolation::Step));
+  m_document->undoStack()->endMacro();
+}
+
+bool SceneTools::isHeld(const std::string& property) const {
+  const SceneNode* node = m_document->scene().firstOf(kSimulationType);
+  const PropertyInfo* info = node ? node->type->find(property) : nullptr;
+  if (!info) return false;
+  return std::get<bool>(valueAt(*node, *info, (m_time->frame() + 1) / m_time->frameRate()));
 }
 
 void SceneTools::makeRigidBody(const std::string& model) {

@@ -23,6 +23,10 @@ class SceneTools : public QObject {
   Result<std::string> addNode(const NodeType& type, const QString& label);
   /// Sets a value of the scene's picture settings, which are added if there are none. One undo step.
   void setPicture(const std::string& property, const Value& value);
+  /// Holds a process still from the current time on, or lets it go on ("pause_snow", "pause_flow" of the
+  /// simulation settings): frames before stay as they are. One undo step.
+  void hold(const std::string& property, bool on);
+  bool isHeld(const std::string& property) const;
   /// Makes a model solid for the flow, or selects the body that does so already.
   void makeRigidBody(const std::string& model);
   /// Sets keys at the current time for all animated properties of the selected node; for a node without any,

@@ -42,11 +42,19 @@ void Viewport::setScene(SnapshotPointer scene) {
   m_surface->setScene(m_scene);
   m_navigator.setFloor(m_scene ? eyeFloor(*m_scene) : EyeFloor());
   followSelection();
+  updateLegend();
   refresh();
 }
 
 void Viewport::setFrame(FramePointer frame) {
+  m_frame = frame;
   m_surface->setFrame(std::move(frame));
+  updateLegend();
+}
+
+void Viewport::updateLegend() {
+  m_legend = m_scene ? flowLegend(*m_scene, m_frame.get(), m_filmTime) : std::nullopt;
+  updateOverlay();
 }
 
 void Viewport::setFilmTime(double seconds) {
@@ -208,6 +216,7 @@ void Viewport::paintOverlay(QPainter& painter) const {
   const bool empty = !m_scene || showsNothing(*m_scene);
   if (empty && !m_hintTitle.isEmpty()) paintHint(painter, QRectF(m_surface->rect()), m_hintTitle, m_hintText);
   if (m_lookThrough) paintBadge(painter, tr("Camera view"));
+  if (m_legend) paintLegend(painter, QRectF(m_surface->rect()), *m_legend);
   paintShapes(painter, seen);
   if (m_tool == Tool::Brush) {
     paintLoop(painter, seen.view, m_brush.rim(seen));

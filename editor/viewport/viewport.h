@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "editor/render/flow_scale.h"
 #include "editor/viewport/flow_gizmo.h"
 #include "editor/viewport/ground_brush.h"
 #include "editor/viewport/view_navigator.h"
@@ -55,6 +56,8 @@ class Viewport : public QWidget {
   ViewportContext context() const;
   const ModelGizmo& gizmo() const { return m_gizmo; }
   const FlowGizmo& shape() const { return m_shape; }
+  /// What the colours of the shown frame mean; nothing where they stand for no values.
+  const std::optional<FlowLegend>& legend() const { return m_legend; }
   /// The widget that shows the picture and takes the pointer.
   PictureView* surface() const { return m_surface; }
 
@@ -96,6 +99,7 @@ class Viewport : public QWidget {
   bool editing() const { return m_gizmo.dragging() || m_brush.painting() || m_shape.dragging(); }
   void dragShape(const QMouseEvent& event);
   void followSelection();
+  void updateLegend();
   void paintShapes(QPainter& painter, const ViewportContext& seen) const;
   void endEdit();
   void hover(Vec2d pixel);
@@ -109,6 +113,8 @@ class Viewport : public QWidget {
   double now() const;
 
   SnapshotPointer m_scene;
+  FramePointer m_frame;
+  std::optional<FlowLegend> m_legend;
   double m_filmTime = 0.0;
   std::string m_selected;
   Tool m_tool = Tool::Select;
