@@ -17,6 +17,9 @@ constinit const std::array<Choice, 10> kFlowDisplayChoices{{
     {"neighbours", SPIN_TR("Neighbours")},
 }};
 
+constinit const std::array<const char*, 3> kFlowClassLabels{
+    {SPIN_TR("Within the flow"), SPIN_TR("Isolated"), SPIN_TR("At the surface")}};
+
 namespace {
 
 constexpr PropertyRow kRenderRows[] = {

@@ -25,6 +25,9 @@ enum class FlowDisplay : std::uint8_t {
 /// Ids and labels, by number.
 extern const std::array<Choice, 10> kFlowDisplayChoices;
 
+/// Labels of particle classes, by number of the attribute "class".
+extern const std::array<const char*, 3> kFlowClassLabels;
+
 /// How pictures are made.
 struct RenderNode : NodeData {
   int width = 1280;

@@ -17,6 +17,7 @@ constexpr double kEnoughPixels = 9.0;
 constexpr double kCoarsest = 0.5;
 constexpr float kScatter = 0.3f;  // radii by which drawn particles stand off their places at most
 constexpr std::size_t kSample = 2000;
+constexpr std::size_t kDustShare = 6;  // one of so many particles raises dust for all of them
 /// Volume of a particle at rest over that of its drawn sphere.
 constexpr double kFilled = 1.0 / (4.0 / 3.0 * 3.14159265358979 * kRadius * kRadius * kRadius);
 
@@ -116,12 +117,14 @@ Status FlowPass::initialise() {
   if (Status s = buildInto(m_valueProgram, "screen.vert", "flow_surface.frag", "#define VALUES 1"); !s)
     return s;
   if (Status s = buildInto(m_depthProgram, "flow_depth.vert", "depth.frag"); !s) return s;
+  if (Status s = buildInto(m_dustProgram, "flow_dust.vert", "flow_dust.frag"); !s) return s;
+  if (Status s = buildInto(m_cloudProgram, "screen.vert", "flow_cloud.frag"); !s) return s;
   m_vertexArray = GlVertexArray::make();
   return {};
 }
 
-void FlowPass::setFlow(std::shared_ptr<const ParticlePart> flow,
-                       std::shared_ptr<const ParticlePart> boundary, double spacing) {
+void FlowPass::setFlow(std::shared_ptr<const ParticlePart> flow, std::shared_ptr<const ParticlePart> boundary,
+                       double spacing) {
   if (flow == m_flow && boundary == m_boundary) return;
   m_flow = std::move(flow);
   m_boundary = std::move(boundary);
@@ -154,6 +157,7 @@ void FlowPass::uploadLooks(const RenderNode& settings) {
   m_looksKey = key;
   m_looksRevision += 1.0;
   std::vector<Vec4f> looks(m_count);
+  m_dusty = false;
   if (m_flow) {
     const ParticleSet& set = m_flow->particles;
     const std::vector<float> values = flowValues(set, settings.flowDisplay);
@@ -178,7 +182,7 @@ void FlowPass::uploadLooks(const RenderNode& settings) {
   upload(m_looks, looks.data(), looks.size() * sizeof(Vec4f));
 }
 
-void FlowPass::drawParticles(const GlProgram& program, int width, int height,
+void FlowPass::drawParticles(const GlProgram& program, int width, int height, std::size_t count,
                              const DrawContext& context) const {
   const double scale = m_targets.scale * width / m_targets.width;
   const double pixels = context.pixelsPerUnit * scale;
@@ -195,9 +199,8 @@ void FlowPass::drawParticles(const GlProgram& program, int width, int height,
   glBindVertexArray(m_vertexArray.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, m_positions.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, m_looks.id());
-  const std::size_t drawn = m_boundaryShown ? m_count : m_count - m_boundaryCount;
   glEnable(GL_PROGRAM_POINT_SIZE);
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(drawn));
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(count));
   glDisable(GL_PROGRAM_POINT_SIZE);
 }
 
@@ -230,19 +233,30 @@ void FlowPass::drawSurface(const DrawContext& context) {
   glClearNamedFramebufferfv(m_targets.rawFramebuffer.id(), GL_DEPTH, 0, &far);
   glDepthFunc(GL_GEQUAL);
   glBindFramebuffer(GL_FRAMEBUFFER, m_targets.rawFramebuffer.id());
-  drawParticles(m_distanceProgram, m_targets.width, m_targets.height, context);
+  const std::size_t drawn = m_boundaryShown ? m_count : m_count - m_boundaryCount;
+  drawParticles(m_distanceProgram, m_targets.width, m_targets.height, drawn, context);
   glDisable(GL_DEPTH_TEST);
   if (m_scale.shows == FlowDisplay::Material) {
-    glClearNamedFramebufferfv(m_targets.thicknessFramebuffer.id(), GL_COLOR, 0, nothing);
-    glBindFramebuffer(GL_FRAMEBUFFER, m_targets.thicknessFramebuffer.id());
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
     m_thicknessProgram.set("uFilled", static_cast<float>(kFilled));
-    drawParticles(m_thicknessProgram, (m_targets.width + 1) / 2, (m_targets.height + 1) / 2, context);
-    glDisable(GL_BLEND);
+    gather(m_thicknessProgram, m_targets.thicknessFramebuffer, drawn, context);
+    m_dustProgram.set("uShare", static_cast<int>(kDustShare));
+    if (m_dusty)
+      gather(m_dustProgram, m_targets.dustFramebuffer, m_flow->particles.size() / kDustShare, context);
   }
   smooth(context);
   glEnable(GL_DEPTH_TEST);
+}
+
+/// Adds up what all particles lay over a pixel.
+void FlowPass::gather(const GlProgram& program, const GlFramebuffer& target, std::size_t count,
+                      const DrawContext& context) const {
+  const float nothing[4] = {};
+  glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, nothing);
+  glBindFramebuffer(GL_FRAMEBUFFER, target.id());
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  drawParticles(program, m_targets.halfWidth(), m_targets.halfHeight(), count, context);
+  glDisable(GL_BLEND);
 }
 
 /// From the raw distances to smooth ones and their normals.
@@ -306,6 +320,20 @@ void FlowPass::draw(const DrawContext& context) const {
   glBindVertexArray(m_vertexArray.id());
   const ScissorLimit limit(m_pixels);
   drawScreen();
+  if (!values && m_dusty) drawDust();
+}
+
+/// The cloud that fast snow raises, over the surface.
+void FlowPass::drawDust() const {
+  m_cloudProgram.use();
+  m_cloudProgram.set("uTarget", static_cast<float>(m_targets.scale), static_cast<float>(FlowTargets::kMargin),
+                     1.0f / static_cast<float>(m_targets.width), 1.0f / static_cast<float>(m_targets.height));
+  m_cloudProgram.set("uFlow", static_cast<float>(m_spacing), 0.0f, 0.0f, 0.0f);
+  glBindTextureUnit(7, m_targets.dust.id());
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  glDepthMask(GL_FALSE);
+  drawScreen();
+  glDepthMask(GL_TRUE);
 }
 
 void FlowPass::drawDepth(const Matrix4& light, double texelsPerMetre) const {

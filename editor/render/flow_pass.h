@@ -41,7 +41,11 @@ class FlowPass {
 
  private:
   void uploadLooks(const RenderNode& settings);
-  void drawParticles(const GlProgram& program, int width, int height, const DrawContext& context) const;
+  void drawParticles(const GlProgram& program, int width, int height, std::size_t count,
+                     const DrawContext& context) const;
+  void gather(const GlProgram& program, const GlFramebuffer& target, std::size_t count,
+              const DrawContext& context) const;
+  void drawDust() const;
   void smooth(const DrawContext& context);
   void drawSurface(const DrawContext& context);
 
@@ -54,12 +58,13 @@ class FlowPass {
   FlowScale m_scale;
   std::vector<double> m_looksKey, m_preparedKey;
   bool m_boundaryShown = false;
+  bool m_dusty = false;           ///< some snow is fast enough to raise dust
   std::array<int, 4> m_pixels{};  ///< of the picture, in which something flows
   FlowTargets m_targets;
   GlBuffer m_positions, m_looks;
   GlVertexArray m_vertexArray;
   GlProgram m_distanceProgram, m_thicknessProgram, m_smoothProgram, m_normalProgram, m_materialProgram,
-      m_valueProgram, m_depthProgram;
+      m_valueProgram, m_depthProgram, m_dustProgram, m_cloudProgram;
 };
 
 /// Distance of neighbours at rest as the positions show it: the median distance to the nearest one, of a

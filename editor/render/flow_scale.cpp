@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace spin {
 namespace {
@@ -14,10 +13,6 @@ namespace {
 constexpr double kLowShare = 0.01, kHighShare = 0.99;  // what lies beyond does not stretch the scale
 /// A logarithmic scale spans this much at most below its end.
 constexpr double kMostDecades = 6.0;
-
-/// By number of the attribute "class".
-constexpr const char* kClassLabels[] = {SPIN_TR("Within the flow"), SPIN_TR("Isolated"),
-                                        SPIN_TR("At the surface")};
 
 struct Shown {
   const char* attribute;
@@ -187,8 +182,9 @@ std::optional<FlowLegend> flowLegend(const SceneSnapshot& scene, const Frame* fr
   present.erase(std::unique(present.begin(), present.end()), present.end());
   for (const float number : present) {
     const auto kind = static_cast<std::size_t>(std::max(number, 0.0f));
-    const std::string text =
-        kind < std::size(kClassLabels) ? kClassLabels[kind] : fmt::format("{:.6g}", static_cast<double>(number));
+    const std::string text = kind < kFlowClassLabels.size()
+                                 ? kFlowClassLabels[kind]
+                                 : fmt::format("{:.6g}", static_cast<double>(number));
     legend.ticks.push_back({legend.scale.place(static_cast<double>(number)), text});
   }
   return legend;

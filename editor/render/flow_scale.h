@@ -39,7 +39,7 @@ Vec3d scaleColour(const FlowScale& scale, double place);
 /// What is printed beside a picture whose colours stand for values.
 struct FlowLegend {
   struct Tick {
-    double place;  ///< 0..1
+    double place;      ///< 0..1
     std::string text;  ///< a number; of classes a name, context "Properties"
   };
   const char* title = "";  ///< context "Properties"

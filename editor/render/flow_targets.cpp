@@ -36,9 +36,10 @@ Status FlowTargets::prepare(int pictureWidth, int pictureHeight, double newScale
   glNamedFramebufferRenderbuffer(rawFramebuffer.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
   for (std::size_t k = 0; k < 2; ++k) makeColour(smooth[k], smoothFramebuffer[k], GL_R32F, w, h, GL_NEAREST);
   makeColour(normal, normalFramebuffer, GL_RGBA16F, w, h, GL_LINEAR);
-  makeColour(thickness, thicknessFramebuffer, GL_RGBA16F, (w + 1) / 2, (h + 1) / 2, GL_LINEAR);
+  makeColour(thickness, thicknessFramebuffer, GL_RGBA16F, halfWidth(), halfHeight(), GL_LINEAR);
+  makeColour(dust, dustFramebuffer, GL_RG16F, halfWidth(), halfHeight(), GL_LINEAR);
   for (const GlFramebuffer* made : {&rawFramebuffer, &smoothFramebuffer[0], &smoothFramebuffer[1],
-                                    &normalFramebuffer, &thicknessFramebuffer}) {
+                                    &normalFramebuffer, &thicknessFramebuffer, &dustFramebuffer}) {
     const GLenum state = glCheckNamedFramebufferStatus(made->id(), GL_FRAMEBUFFER);
     if (state == GL_FRAMEBUFFER_COMPLETE) continue;
     rawFramebuffer.reset();

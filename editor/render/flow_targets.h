@@ -19,9 +19,13 @@ struct FlowTargets {
   GlTexture smooth[2];        ///< R: distance, in turns
   GlTexture normal;           ///< normal (world axes), openness; half the bits suffice
   GlTexture thickness;        ///< half as wide and high: thickness (m), of it water, foam, loose snow
-  GlFramebuffer rawFramebuffer, smoothFramebuffer[2], normalFramebuffer, thicknessFramebuffer;
+  GlTexture dust;             ///< half as wide and high: optical depth, and that times the distance in 100 m
+  GlFramebuffer rawFramebuffer, smoothFramebuffer[2], normalFramebuffer, thicknessFramebuffer,
+      dustFramebuffer;
   GlRenderbuffer depth;
 
+  int halfWidth() const { return (width + 1) / 2; }
+  int halfHeight() const { return (height + 1) / 2; }
   /// Makes what does not fit; the error says what the driver refuses.
   Status prepare(int pictureWidth, int pictureHeight, double newScale);
 };

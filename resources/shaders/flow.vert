@@ -8,14 +8,6 @@ uniform vec4 uScale;  // of clip x and y for the margins
 flat out vec4 vLook;    // place on the scale, share of water, foam, looseness
 flat out vec4 vSphere;  // distance before the eye (m), radius (m), share of the disc that it really covers
 
-// Three numbers in -1..1 from one, the same on every machine.
-vec3 scatter(uint n) {
-  n = (n ^ (n >> 16)) * 0x7feb352du;
-  n = (n ^ (n >> 15)) * 0x846ca68bu;
-  n ^= n >> 16;
-  return vec3(n & 1023u, (n >> 10) & 1023u, (n >> 20) & 1023u) * (2.0 / 1023.0) - 1.0;
-}
-
 void main() {
   int k = gl_VertexID;
   // Rows in which particles were laid out would be seen as furrows.
