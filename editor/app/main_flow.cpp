@@ -37,9 +37,10 @@ void MainActions::addFlowMenu(QMenu* view) {
 
 void MainActions::showFlowSettings() {
   const SceneNode* node = m_window->document().scene().firstOf(kRenderType);
-  const RenderNode settings = node ? *node->as<RenderNode>() : RenderNode();
-  m_flowDisplays[static_cast<std::size_t>(settings.flowDisplay)]->setChecked(true);
-  m_flowBoundary->setChecked(settings.showFlowBoundary);
+  const RenderNode* settings = node ? node->as<RenderNode>() : nullptr;
+  const FlowDisplay shown = settings ? settings->flowDisplay : FlowDisplay::Material;
+  m_flowDisplays[static_cast<std::size_t>(shown)]->setChecked(true);
+  m_flowBoundary->setChecked(settings && settings->showFlowBoundary);
 }
 
 }  // namespace spin

@@ -38,6 +38,21 @@ float rise(double low, double high, double value) {
   return static_cast<float>(t * t * (3.0 - 2.0 * t));
 }
 
+struct Traits {
+  double density, viscosity, speed, neighbours;  // SI
+};
+
+/// Place on the scale, share of water, foam of water or dust that snow raises, looseness.
+Vec4f lookOf(double place, const Traits& t) {
+  const float loose = 1.0f - rise(2.0, 10.0, t.neighbours);
+  // Thick fluids as dense as water are slurries: they look like snow.
+  const float water = rise(850.0, 960.0, t.density) * (1.0f - rise(0.05, 0.5, t.viscosity));
+  const float foam = std::max(0.9f * loose, 0.75f * rise(6.0, 20.0, t.speed));
+  // Dust comes from the surface only.
+  const float dust = (1.0f - rise(12.0, 28.0, t.neighbours)) * rise(4.0, 16.0, t.speed);
+  return {static_cast<float>(place), water, water > 0.5f ? foam : dust, loose};
+}
+
 /// Clip distance before the eye that a fifth of the particles in sight are nearer than; 0 if none is in
 /// sight.
 double nearDistance(const std::vector<Vec3f>& positions, const DrawContext& context) {
@@ -147,7 +162,7 @@ void FlowPass::setFlow(std::shared_ptr<const ParticlePart> flow, std::shared_ptr
   if (m_count > 0) upload(m_positions, positions.data(), m_count * sizeof(Vec3f));
 }
 
-/// Per particle: place on the scale, share of water, foam, looseness.
+/// What the settings make of each particle.
 void FlowPass::uploadLooks(const RenderNode& settings) {
   const std::vector<double> key{static_cast<double>(settings.flowDisplay), settings.flowRangeLow,
                                 settings.flowRangeHigh, settings.flowRangeAuto ? 1.0 : 0.0,
@@ -169,13 +184,9 @@ void FlowPass::uploadLooks(const RenderNode& settings) {
       const auto of = [k](const std::vector<float>& list, double other) {
         return list.empty() ? other : static_cast<double>(list[k]);
       };
-      const float loose = 1.0f - rise(2.0, 10.0, of(neighbours, 30.0));
-      // Thick fluids as dense as water are slurries: they look like snow.
-      const float water =
-          rise(850.0, 960.0, of(density, 300.0)) * (1.0f - rise(0.05, 0.5, of(viscosity, 0.0)));
-      const float fast = 0.75f * rise(6.0, 20.0, of(speed, 0.0));
-      looks[k] = {static_cast<float>(m_scale.place(of(values, 0.0))), water, std::max(0.9f * loose, fast),
-                  loose};
+      looks[k] = lookOf(m_scale.place(of(values, 0.0)),
+                        {of(density, 300.0), of(viscosity, 0.0), of(speed, 0.0), of(neighbours, 30.0)});
+      m_dusty = m_dusty || (looks[k].y <= 0.5f && looks[k].z > 0.05f);
     }
   }
   for (std::size_t k = m_count - m_boundaryCount; k < m_count; ++k) looks[k] = {0.0f, 0.0f, 0.0f, 0.6f};

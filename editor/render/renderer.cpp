@@ -220,6 +220,7 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
   const DrawContext context{
       *scene, camera, filmTime, options, b, Frustum(b.viewProjection), static_cast<double>(b.viewport.z)};
   timed("area", [&] { area.setScene(scene, options.selectedNode); });
+  bindTextures();
   timed("flow surface", [&] { flow.prepare(context); });
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, options.width, options.height);
@@ -228,7 +229,6 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
   glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, black);
   glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far);
   glDepthFunc(GL_GEQUAL);
-  bindTextures();
   const bool snow = b.terrainSize.z > 0.5f;
   timed("models", [&] { models.draw(context, placed); });
   timed("terrain", [&] {

@@ -28,6 +28,11 @@ Vec3d rounded(Vec3d v, bool snap) {
   return {rounded(v.x, snap), rounded(v.y, snap), rounded(v.z, snap)};
 }
 
+const AvalancheReleaseNode* releaseOf(const ViewportContext& context, const std::string& id) {
+  const SceneNode* node = findShapeNode(context, id);
+  return node ? node->as<AvalancheReleaseNode>() : nullptr;
+}
+
 /// The point of a line through `start` along `axis` that is nearest to the pointer's ray.
 std::optional<Vec3d> alongAxis(const ViewRay& ray, Vec3d start, Vec3d axis) {
   const Vec3d normal = cross(axis, cross(ray.direction, axis));
@@ -153,14 +158,13 @@ void FlowGizmo::grab(const ViewportContext& context, const ShapePoint& point, Pl
 bool FlowGizmo::begin(const ViewportContext& context, Vec2d pixel) {
   const auto point = pointAt(context, pixel);
   if (!point) return false;
-  const auto* release = findShapeNode(context, m_node)->as<AvalancheReleaseNode>();
+  const AvalancheReleaseNode* release = releaseOf(context, m_node);
   grab(context, *point, release ? release->outline : PlanPoints{}, pixel);
   return true;
 }
 
 bool FlowGizmo::beginOutline(const ViewportContext& context, Vec2d pixel) {
-  const SceneNode* node = findShapeNode(context, m_node);
-  const auto* release = node ? node->as<AvalancheReleaseNode>() : nullptr;
+  const AvalancheReleaseNode* release = releaseOf(context, m_node);
   if (!release) return false;
   if (begin(context, pixel)) return true;
   const auto hit = pickTerrain(*context.scene, context.view.ray(pixel));
@@ -196,7 +200,9 @@ FlowGizmo::Values FlowGizmo::drag(const ViewportContext& context, Vec2d pixel, D
 std::optional<FlowGizmo::Values> FlowGizmo::withoutCorner(const ViewportContext& context, Vec2d pixel) const {
   const auto point = pointAt(context, pixel);
   if (!point || point->handle != ShapeHandle::Corner) return std::nullopt;
-  PlanPoints outline = findShapeNode(context, m_node)->as<AvalancheReleaseNode>()->outline;
+  const AvalancheReleaseNode* release = releaseOf(context, m_node);
+  if (!release) return std::nullopt;
+  PlanPoints outline = release->outline;
   outline.erase(outline.begin() + static_cast<std::ptrdiff_t>(point->index));
   return Values{{"outline_m", std::move(outline)}};
 }
