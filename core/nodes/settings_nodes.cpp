@@ -3,6 +3,23 @@
 #include "core/nodes/settings_nodes.h"
 
 namespace spin {
+
+constinit const std::array<Choice, 10> kFlowDisplayChoices{{
+    {"material", SPIN_TR("Material")},
+    {"speed", SPIN_TR("Speed")},
+    {"density", SPIN_TR("Density")},
+    {"pressure", SPIN_TR("Pressure")},
+    {"acceleration", SPIN_TR("Acceleration")},
+    {"shear_rate", SPIN_TR("Shear rate")},
+    {"viscosity", SPIN_TR("Viscosity")},
+    {"class", SPIN_TR("Particle class")},
+    {"age", SPIN_TR("Age")},
+    {"neighbours", SPIN_TR("Neighbours")},
+}};
+
+constinit const std::array<const char*, 3> kFlowClassLabels{
+    {SPIN_TR("Within the flow"), SPIN_TR("Isolated"), SPIN_TR("At the surface")}};
+
 namespace {
 
 constexpr PropertyRow kRenderRows[] = {
@@ -38,6 +55,39 @@ constexpr PropertyRow kRenderRows[] = {
                                        SPIN_TR("Print the caption and the credit line on pictures."))
         .affecting(Affects::Picture),
     property<&RenderNode::caption>("caption", SPIN_TR("Caption"), SPIN_TR("Text printed on pictures."))
+        .affecting(Affects::Picture),
+    property<&RenderNode::flowDisplay>(
+        "flow_display", SPIN_TR("Flow shows"),
+        SPIN_TR(
+            "What the colours of flowing particles tell. Material draws snow as snow and water as water."))
+        .oneOf(kFlowDisplayChoices)
+        .affecting(Affects::Picture),
+    property<&RenderNode::flowRangeAuto>(
+        "flow_range_auto", SPIN_TR("Range of the frame"),
+        SPIN_TR("Spread the colours over what the frame's particles have; off takes the range below."))
+        .affecting(Affects::Picture),
+    property<&RenderNode::flowRangeLow>(
+        "flow_range_low", SPIN_TR("Range from"),
+        SPIN_TR("Value of the darkest colour, in the unit that the legend shows."))
+        .range(-1e9, 1e9, 1)
+        .animated()
+        .affecting(Affects::Picture),
+    property<&RenderNode::flowRangeHigh>(
+        "flow_range_high", SPIN_TR("Range to"),
+        SPIN_TR("Value of the brightest colour, in the unit that the legend shows."))
+        .range(-1e9, 1e9, 1)
+        .animated()
+        .affecting(Affects::Picture),
+    property<&RenderNode::flowLogarithmic>(
+        "flow_logarithmic", SPIN_TR("Logarithmic colours"),
+        SPIN_TR(
+            "Each step of colour multiplies the value: for viscosity and shear rate. Needs values above 0."))
+        .affecting(Affects::Picture),
+    property<&RenderNode::flowLegend>("flow_legend", SPIN_TR("Show legend"),
+                                      SPIN_TR("Print what the colours mean where they stand for values."))
+        .affecting(Affects::Picture),
+    property<&RenderNode::showFlowBoundary>("show_flow_boundary", SPIN_TR("Show boundary particles"),
+                                            SPIN_TR("Draw the particles that stand for moving bodies."))
         .affecting(Affects::Picture),
 };
 
@@ -89,6 +139,17 @@ constexpr PropertyRow kSimulationRows[] = {
         SPIN_TR("Frames between full saves of the state, from which an edit restarts."))
         .range(1, 10000, 1)
         .affecting(Affects::Nothing),
+    // frameKeys() hashes these for the processes that they hold still.
+    property<&SimulationNode::pauseSnow>(
+        "pause_snow", SPIN_TR("Pause snow"),
+        SPIN_TR("While it is on, falling snow and cover stand still and everything else goes on."))
+        .animated()
+        .affecting(Affects::Picture),
+    property<&SimulationNode::pauseFlow>(
+        "pause_flow", SPIN_TR("Pause flow"),
+        SPIN_TR("While it is on, avalanches, water and bodies stand still and everything else goes on."))
+        .animated()
+        .affecting(Affects::Picture),
 };
 
 }  // namespace

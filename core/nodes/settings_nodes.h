@@ -2,9 +2,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "core/property/property_table.h"
 
 namespace spin {
+
+/// What the colours of flowing particles tell; Material draws them as what they are.
+enum class FlowDisplay : std::uint8_t {
+  Material,
+  Speed,
+  Density,
+  Pressure,
+  Acceleration,
+  ShearRate,
+  Viscosity,
+  ParticleClass,
+  Age,
+  Neighbours
+};
+/// Ids and labels, by number.
+extern const std::array<Choice, 10> kFlowDisplayChoices;
+
+/// Labels of particle classes, by number of the attribute "class".
+extern const std::array<const char*, 3> kFlowClassLabels;
 
 /// How pictures are made.
 struct RenderNode : NodeData {
@@ -16,6 +38,13 @@ struct RenderNode : NodeData {
   bool showFlakes = true;
   bool showCaption = true;  ///< caption and credit line on pictures
   std::string caption;
+  FlowDisplay flowDisplay = FlowDisplay::Material;
+  bool flowRangeAuto = true;      ///< of the colours: what the frame's particles have
+  double flowRangeLow = 0.0;      ///< SI unit of what is shown
+  double flowRangeHigh = 30.0;    ///< SI unit of what is shown
+  bool flowLogarithmic = false;   ///< colours by the logarithm; for values above 0
+  bool flowLegend = true;         ///< printed where colours stand for values
+  bool showFlowBoundary = false;  ///< particles of bodies' surfaces
 };
 extern const NodeType kRenderType;
 
@@ -32,6 +61,8 @@ struct SimulationNode : NodeData {
   double shedsAboveDegrees = 60;  ///< slopes steeper than this keep none
   double exposureNoise = 0.1;     ///< amplitude of the unevenness of the cover
   int checkpointInterval = 24;    ///< frames
+  bool pauseSnow = false;         ///< snowfall and cover stand still
+  bool pauseFlow = false;         ///< avalanches, water and bodies stand still
 };
 extern const NodeType kSimulationType;
 

@@ -3,6 +3,7 @@
 #include "core/sim/pipeline.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "core/nodes/settings_nodes.h"
 #include "core/sim/runner.h"
@@ -18,6 +19,13 @@ Pipeline Pipeline::compile(const SceneSnapshot& scene, const std::vector<Process
   Pipeline pipeline;
   for (const ProcessType* type : needed) pipeline.m_processes.push_back(type->create());
   return pipeline;
+}
+
+bool isPaused(const SceneSnapshot& scene, const Process& process, double filmTime) {
+  const SimulationNode settings = scene.settings<SimulationNode>(filmTime);
+  const std::string_view id = process.id();
+  const bool flows = id == "flow" || id == "rigid";
+  return flows ? settings.pauseFlow : settings.pauseSnow;
 }
 
 std::vector<Hash128> frameKeys(const SceneSnapshot& scene, const Pipeline& pipeline,
@@ -36,7 +44,10 @@ std::vector<Hash128> frameKeys(const SceneSnapshot& scene, const Pipeline& pipel
     hasher.add(to.frame).add(to.film).add(to.weather);
     for (const auto& process : pipeline.processes()) {
       hasher.add(process->id());
-      process->hashInputs({scene, from, to}, hasher);
+      if (frame > 0 && isPaused(scene, *process, to.film))
+        hasher.add("paused");
+      else
+        process->hashInputs({scene, from, to}, hasher);
     }
     keys.push_back(hasher.digest());
     from = to;

@@ -187,6 +187,7 @@ Status SimulationRun::compute(int frame) {
   ProcessContext c = context();
   m_frame = -1;
   for (const auto& process : m_pipeline.processes()) {
+    if (frame > 0 && isPaused(m_scene, *process, to.film)) continue;
     const Status done = frame == 0 ? process->begin(m_scene, c) : process->step(input, c);
     if (!done) return done;
     if (m_cancel.cancelled()) return cancelledError(frame);

@@ -15,6 +15,7 @@
 #include "editor/app/main_window.h"
 #include "editor/app/scene_tools.h"
 #include "editor/commands/edits.h"
+#include "editor/models/node_icons.h"
 #include "editor/timeline/timeline_panel.h"
 #include "editor/viewport/viewport.h"
 
@@ -114,10 +115,11 @@ void MainActions::fillNodeMenu() {
     const bool file = type == &kTerrainType || type == &kModelType;
     QAction* action = m_nodeMenu->addAction(file ? tr("%1...").arg(label) : label);
     action->setToolTip(QCoreApplication::translate("Properties", type->doc));
+    action->setIcon(nodeIcon(*type));
     action->setEnabled(!type->single || !m_window->document().scene().firstOf(*type));
     connect(action, &QAction::triggered, this, [this, type, label, file] {
       if (file) return m_window->imports().choose();
-      const Result<std::string> added = edit::addNode(m_window->document(), *type, label);
+      const Result<std::string> added = m_window->tools().addNode(*type, label);
       if (!added.ok()) m_window->files().showError(QString::fromStdString(added.error().text()));
     });
   }
@@ -136,6 +138,7 @@ void MainActions::addViewMenu() {
       [this] { m_window->tools().cameraFromView(); });
   menu->addSeparator();
   addGroundMenu(menu);
+  addFlowMenu(menu);
   addToggle(menu, "viewSnow", tr("S&now cover"), true, {}, [&view](bool on) { view.setShowSnow(on); });
   addToggle(menu, "viewFlakes", tr("Fa&lling flakes"), true, {},
             [&view](bool on) { view.setShowFlakes(on); });
@@ -166,6 +169,7 @@ void MainActions::addSimulateMenu() {
       [&simulation] { simulation.start(); });
   add(menu, "simulateStop", tr("S&top"), QKeySequence(Qt::SHIFT | Qt::Key_F5),
       [&simulation] { simulation.stop(); });
+  addHoldActions(menu);
   addToggle(menu, "simulateAutomatic", tr("Simulate &after edits"), simulation.automatic(), {},
             [&simulation](bool on) { simulation.setAutomatic(on); });
   menu->addSeparator();

@@ -22,6 +22,8 @@ class MainActions : public QObject {
  public:
   explicit MainActions(MainWindow* window);
 
+  /// Whether all frames may be thrown away. A function, so that tests answer without a dialog.
+  std::function<bool()> mayReset;
   /// For the list of shortcuts: all actions that have one, in menu order.
   std::vector<QAction*> withShortcuts() const;
 
@@ -35,7 +37,11 @@ class MainActions : public QObject {
   void addEditMenu();
   void addViewMenu();
   void addGroundMenu(QMenu* view);
+  void addFlowMenu(QMenu* view);
+  void showFlowSettings();
   void addSimulateMenu();
+  void addHoldActions(QMenu* menu);
+  void showHeld();
   void addHelpMenu();
   void addTools();
   void addBrushTools(class QToolBar* bar);
@@ -49,6 +55,10 @@ class MainActions : public QObject {
   QMenu* m_nodeMenu = nullptr;
   QAction* m_duplicate = nullptr;
   QAction* m_delete = nullptr;
+  std::vector<QAction*> m_flowDisplays;  ///< by FlowDisplay
+  QAction* m_flowBoundary = nullptr;
+  QAction* m_holdSnow = nullptr;
+  QAction* m_holdFlow = nullptr;
   std::vector<QAction*> m_all;
 };
 

@@ -14,6 +14,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "core/nodes/flow_nodes.h"
 #include "editor/app/main_actions.h"
 #include "editor/app/main_window.h"
 #include "editor/app/tool_icons.h"
@@ -47,7 +48,9 @@ void MainActions::addTools() {
   tool("toolMove", tr("Move"), Qt::Key_W, Viewport::Tool::Move);
   tool("toolRotate", tr("Rotate"), Qt::Key_E, Viewport::Tool::Rotate);
   tool("toolScale", tr("Scale"), Qt::Key_R, Viewport::Tool::Scale);
-  tool("toolBrush", tr("Paint ground types"), Qt::Key_B, Viewport::Tool::Brush);
+  tool("toolBrush", tr("Paint ground types, or the area of the selected release"), Qt::Key_B,
+       Viewport::Tool::Brush);
+  tool("toolOutline", tr("Draw the outline of a release"), Qt::Key_O, Viewport::Tool::Outline);
   bar->addSeparator();
   QAction* local =
       addToggle(nullptr, "toolLocalAxes", tr("Local axes"), false, QKeySequence(Qt::Key_X),
@@ -70,6 +73,13 @@ void MainActions::addBrushTools(QToolBar* bar) {
   type->setCurrentIndex(type->findData(static_cast<int>(view->brush().value())));
   connect(type, &QComboBox::currentIndexChanged, view,
           [view, type] { view->brush().setValue(static_cast<std::uint8_t>(type->currentData().toInt())); });
+  auto* area = new QComboBox;
+  area->setObjectName(QStringLiteral("brushArea"));
+  area->setToolTip(tr("What the brush does to the area of the selected release"));
+  area->addItem(tr("Release here"), false);
+  area->addItem(tr("Rub out"), true);
+  connect(area, &QComboBox::currentIndexChanged, view,
+          [view, area] { view->brush().setRubsOut(area->currentData().toBool()); });
   auto* radius = new QDoubleSpinBox;
   radius->setObjectName(QStringLiteral("brushRadius"));
   radius->setRange(0.5, 500.0);
@@ -84,11 +94,19 @@ void MainActions::addBrushTools(QToolBar* bar) {
   });
   connect(new FieldKeys(radius), &FieldKeys::entered, view, [view] { view->surface()->setFocus(); });
   QAction* brush = findChild<QAction*>(QStringLiteral("toolBrush"));
-  for (QWidget* widget : {static_cast<QWidget*>(type), static_cast<QWidget*>(radius)}) {
-    QAction* shown = bar->addWidget(widget);
-    shown->setVisible(false);
-    connect(brush, &QAction::toggled, shown, &QAction::setVisible);
-  }
+  QAction* typeShown = bar->addWidget(type);
+  QAction* areaShown = bar->addWidget(area);
+  QAction* radiusShown = bar->addWidget(radius);
+  const auto show = [=, this] {
+    const SceneNode* node = m_window->document().node(m_window->document().selected());
+    const bool release = node && node->as<AvalancheReleaseNode>();
+    typeShown->setVisible(brush->isChecked() && !release);
+    areaShown->setVisible(brush->isChecked() && release);
+    radiusShown->setVisible(brush->isChecked());
+  };
+  connect(brush, &QAction::toggled, this, show);
+  connect(&m_window->document(), &SceneDocument::selectionChanged, this, show);
+  show();
   const auto step = [this, view](const char* name, const QString& text, int key, int steps) {
     QAction* action = add(nullptr, name, text, QKeySequence(key), [view, steps] {
       view->setBrushRadius(steppedBrushRadius(view->brush().radius(), steps));
@@ -117,6 +135,9 @@ void MainActions::showShortcuts() {
   row(tr("Click"), tr("Select"));
   row(tr("Ctrl while dragging a handle"), tr("Whole steps: 1 m, 15 degrees, 0.1"));
   row(tr("Escape while dragging"), tr("Take the drag back"));
+  row(tr("Shift while dragging a handle of flow"), tr("Up and down instead of along the ground"));
+  row(tr("Click with the outline tool"), tr("Add a corner; on a side, put one in"));
+  row(tr("Delete over a corner"), tr("Take the corner out"));
   for (QAction* action : withShortcuts())
     row(action->shortcut().toString(QKeySequence::NativeText), action->text().remove(QLatin1Char('&')));
   auto* dialog = new QDialog(m_window);

@@ -16,6 +16,7 @@
 #include "core/nodes/settings_nodes.h"
 #include "editor/app/export_dialog.h"
 #include "editor/app/file_flow.h"
+#include "editor/app/flow_defaults.h"
 #include "editor/app/import_flow.h"
 #include "editor/app/import_job.h"
 #include "editor/app/main_actions.h"
@@ -26,6 +27,7 @@
 #include "editor/panels/issues_panel.h"
 #include "editor/panels/outliner_panel.h"
 #include "editor/panels/property_panel.h"
+#include "editor/panels/stage_panel.h"
 #include "editor/timeline/timeline_panel.h"
 #include "editor/viewport/picture_view.h"
 #include "editor/viewport/scene_picker.h"
@@ -35,7 +37,7 @@
 namespace spin {
 namespace {
 
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 constexpr int kMessageMilliseconds = 8000;
 
 /// Settings of the only node of a type; defaults without one.
@@ -44,14 +46,6 @@ T settingsOf(const Scene& scene, const NodeType& type) {
   const SceneNode* node = scene.firstOf(type);
   const T* data = node ? node->as<T>() : nullptr;
   return data ? *data : T{};
-}
-
-/// What the middle of the view shows of the terrain.
-ImportFlow::Sight sightOf(const Viewport& viewport) {
-  const ViewportContext seen = viewport.context();
-  if (!seen.scene) return {};
-  const Vec2d middle{0.5 * seen.view.width(), 0.5 * seen.view.height()};
-  return {pickTerrain(*seen.scene, seen.view.ray(middle)), seen.scene->terrain};
 }
 
 }  // namespace
@@ -87,7 +81,10 @@ MainWindow::MainWindow(std::shared_ptr<AssetReader> reader, QWidget* parent)
   connect(m_tools, &SceneTools::message, this, &MainWindow::showMessage);
   connect(m_imports, &ImportFlow::message, this, &MainWindow::showMessage);
   connect(m_imports, &ImportFlow::firstTerrainAdded, this, [this] { m_lookWanted = true; });
-  m_imports->sight = [this] { return sightOf(*m_viewport); };
+  m_imports->sight = [this] {
+    const ViewSight seen = sightOf(*m_viewport);
+    return ImportFlow::Sight{seen.place, seen.terrain};
+  };
   connect(m_viewport, &Viewport::failed, this, &MainWindow::showMessage);
   connect(m_document, &SceneDocument::saveFinished, this, [this](bool ok, const QString&) {
     if (ok) showMessage(tr("Saved."));
@@ -115,14 +112,20 @@ void MainWindow::addDocks() {
   auto* outliner = new OutlinerPanel(m_document);
   auto* properties = new PropertyPanel(m_document, m_time);
   connect(properties, &PropertyPanel::editRefused, this, &MainWindow::showMessage);
+  connect(properties, &PropertyPanel::bodyWanted, m_tools, &SceneTools::makeRigidBody);
   connect(properties, &PropertyPanel::entered, this, [this] { m_viewport->surface()->setFocus(); });
   QDockWidget* left = dock("outlinerDock", tr("Scene"), outliner, Qt::RightDockWidgetArea);
   QDockWidget* right = dock("propertiesDock", tr("Properties"), properties, Qt::RightDockWidgetArea);
   QDockWidget* issues =
       dock("issuesDock", tr("Issues"), new IssuesPanel(m_document), Qt::RightDockWidgetArea);
+  auto* stages = new StagePanel;
+  connect(m_simulation, &SimulationController::frameShown, stages, &StagePanel::setFrame);
+  QDockWidget* stageDock = dock("stagesDock", tr("Stages"), stages, Qt::RightDockWidgetArea);
   QDockWidget* bottom = dock("timelineDock", tr("Timeline"), m_timeline, Qt::BottomDockWidgetArea);
   splitDockWidget(left, right, Qt::Vertical);
   splitDockWidget(right, issues, Qt::Vertical);
+  tabifyDockWidget(issues, stageDock);
+  issues->raise();
   resizeDocks({left, right, issues}, {220, 480, 120}, Qt::Vertical);
   resizeDocks({right}, {340}, Qt::Horizontal);
   resizeDocks({bottom}, {96}, Qt::Vertical);

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "editor/app/scene_tools.h"
 
+#include <QCoreApplication>
+#include <algorithm>
 #include <set>
 
 #include "core/nodes/camera_node.h"
+#include "core/nodes/flow_nodes.h"
+#include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
+#include "editor/app/flow_defaults.h"
 #include "editor/document/time_context.h"
 
 namespace spin {
@@ -16,6 +21,8 @@ SceneTools::SceneTools(SceneDocument* document, TimeContext* time, Viewport* vie
   connect(viewport, &Viewport::editStarted, this, &SceneTools::begin);
   connect(viewport, &Viewport::placementEdited, this, &SceneTools::place);
   connect(viewport, &Viewport::layerPainted, this, &SceneTools::paint);
+  connect(viewport, &Viewport::shapeEdited, this, &SceneTools::shape);
+  connect(viewport, &Viewport::outlineWanted, this, &SceneTools::beginOutline);
   connect(viewport, &Viewport::editFinished, this, &SceneTools::finish);
   connect(viewport, &Viewport::editCancelled, this, &SceneTools::cancel);
 }
@@ -41,11 +48,28 @@ void SceneTools::place(const std::string& id, const GizmoPlacement& placement) {
   report(edit::setValueAt(*m_document, id, values, m_time->filmTime(), m_session));
 }
 
-void SceneTools::paint(const TiledRaster<std::uint8_t>& layer) {
+void SceneTools::shape(const std::string& id, const FlowGizmo::Values& values) {
+  report(edit::setValueAt(*m_document, id, values, m_time->filmTime(), m_session));
+}
+
+void SceneTools::beginOutline(Vec2d corner) {
+  m_document->undoStack()->beginMacro(tr("Draw release outline"));
+  const Result<std::string> added =
+      edit::addNode(*m_document, kAvalancheReleaseType,
+                    QCoreApplication::translate("Properties", kAvalancheReleaseType.label));
+  if (added.ok())
+    report(edit::setValue(*m_document, *added, "outline_m", PlanPoints{corner}));
+  else
+    Q_EMIT message(QString::fromStdString(added.error().text()));
+  m_document->undoStack()->endMacro();
+}
+
+void SceneTools::paint(const std::string& release, const TiledRaster<std::uint8_t>& layer) {
   if (m_document->isLoadingLayers()) {
     Q_EMIT message(tr("The painted layers are still being read."));
     return;
   }
+  if (!release.empty()) return report(edit::paint(*m_document, release, layer, m_session));
   const SceneNode* node = m_document->scene().firstOf(kGroundTypeLayerType);
   std::string id = node ? node->id : std::string();
   if (!node) {
@@ -77,6 +101,68 @@ void SceneTools::cancel() {
 
 void SceneTools::report(const Status& status) {
   if (!status.ok()) Q_EMIT message(QString::fromStdString(status.error().text()));
+}
+
+Result<std::string> SceneTools::addNode(const NodeType& type, const QString& label) {
+  const SceneNode* selected = m_document->node(m_document->selected());
+  const bool model = selected && selected->as<ModelNode>();
+  const edit::PropertyValues values =
+      placedDefaults(type, sightOf(*m_viewport), model ? selected->id : std::string());
+  m_document->undoStack()->beginMacro(tr("Add %1").arg(label));
+  Result<std::string> added = edit::addNode(*m_document, type, label);
+  if (added.ok() && !values.empty()) report(edit::setValues(*m_document, *added, values));
+  m_document->undoStack()->endMacro();
+  return added;
+}
+
+void SceneTools::setPicture(const std::string& property, const Value& value) {
+  const SceneNode* node = m_document->scene().firstOf(kRenderType);
+  if (node) return report(edit::setValue(*m_document, node->id, property, value));
+  const std::string selected = m_document->selected();
+  m_document->undoStack()->beginMacro(tr("Change pictures"));
+  const Result<std::string> added =
+      edit::addNode(*m_document, kRenderType, QCoreApplication::translate("Properties", kRenderType.label));
+  if (added.ok())
+    report(edit::setValue(*m_document, *added, property, value));
+  else
+    Q_EMIT message(QString::fromStdString(added.error().text()));
+  m_document->undoStack()->endMacro();
+  m_document->select(selected);
+}
+
+void SceneTools::hold(const std::string& property, bool on) {
+  const SceneNode* node = m_document->scene().firstOf(kSimulationType);
+  if (!node || isHeld(property) == on) return;
+  const std::string id = node->id;
+  // The step that ends at the shown frame is done; the next one is held.
+  const double from = (m_time->frame() + 1) / m_time->frameRate();
+  m_document->undoStack()->beginMacro(on ? tr("Pause process") : tr("Let process go on"));
+  if (node->curves.find(property) == node->curves.end())
+    report(edit::setKey(*m_document, id, property, 0.0, !on, Interpolation::Step));
+  report(edit::setKey(*m_document, id, property, from, on, Interpolation::Step));
+  m_document->undoStack()->endMacro();
+}
+
+bool SceneTools::isHeld(const std::string& property) const {
+  const SceneNode* node = m_document->scene().firstOf(kSimulationType);
+  const PropertyInfo* info = node ? node->type->find(property) : nullptr;
+  if (!info) return false;
+  return std::get<bool>(valueAt(*node, *info, (m_time->frame() + 1) / m_time->frameRate()));
+}
+
+void SceneTools::makeRigidBody(const std::string& model) {
+  for (const SceneNode& node : m_document->scene().nodes()) {
+    const auto* body = node.as<RigidBodyNode>();
+    if (body && body->model == model) return m_document->select(node.id);
+  }
+  const QString label = QCoreApplication::translate("Properties", kRigidBodyType.label);
+  m_document->undoStack()->beginMacro(tr("Make rigid body"));
+  const Result<std::string> added = edit::addNode(*m_document, kRigidBodyType, label);
+  if (added.ok())
+    report(edit::setValue(*m_document, *added, "model", model));
+  else
+    Q_EMIT message(QString::fromStdString(added.error().text()));
+  m_document->undoStack()->endMacro();
 }
 
 void SceneTools::cameraFromView() {

@@ -19,6 +19,16 @@ class SceneTools : public QObject {
 
   /// Gives the scene's camera the view of the viewport, at the current time; adds a camera if there is none.
   void cameraFromView();
+  /// Adds a node; what flows is put where the middle of the view meets the terrain. One undo step.
+  Result<std::string> addNode(const NodeType& type, const QString& label);
+  /// Sets a value of the scene's picture settings, which are added if there are none. One undo step.
+  void setPicture(const std::string& property, const Value& value);
+  /// Holds a process still from the current time on, or lets it go on ("pause_snow", "pause_flow" of the
+  /// simulation settings): frames before stay as they are. One undo step.
+  void hold(const std::string& property, bool on);
+  bool isHeld(const std::string& property) const;
+  /// Makes a model solid for the flow, or selects the body that does so already.
+  void makeRigidBody(const std::string& model);
   /// Sets keys at the current time for all animated properties of the selected node; for a node without any,
   /// for its placement.
   void setKeys();
@@ -34,7 +44,9 @@ class SceneTools : public QObject {
  private:
   void begin();
   void place(const std::string& id, const GizmoPlacement& placement);
-  void paint(const TiledRaster<std::uint8_t>& layer);
+  void paint(const std::string& node, const TiledRaster<std::uint8_t>& layer);
+  void shape(const std::string& id, const FlowGizmo::Values& values);
+  void beginOutline(Vec2d corner);
   void finish();
   void cancel();
   void report(const Status& status);

@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "core/nodes/settings_nodes.h"
-#include "core/sim/runner.h"
 #include "editor/document/scene_document.h"
 #include "editor/document/time_context.h"
 #ifdef SPIN_HAVE_EMBREE
@@ -118,8 +117,49 @@ void SimulationController::setAutomatic(bool on) {
 }
 
 void SimulationController::start() {
+  setPaused(false);
   m_runWanted = true;
   m_debounce.start(0);
+}
+
+void SimulationController::setPaused(bool on) {
+  if (on == m_paused) return;
+  m_paused = on;
+  if (on)
+    m_runner->cancel();
+  else if (m_runWanted)
+    m_debounce.start(0);
+  Q_EMIT pausedChanged(on);
+}
+
+void SimulationController::stepFrame() {
+  setPaused(true);
+  m_stepTo = std::min(m_time->frame() + 1, lastFrame());
+  m_time->setFrame(m_stepTo);
+  m_runWanted = true;
+  m_debounce.start(0);
+}
+
+void SimulationController::reset() {
+  if (m_resetting || !m_storeReady) return;
+  m_resetting = true;
+  m_runner->cancel();
+  m_cleaner.start([this, store = m_store] {
+    m_runner->wait();
+    // No frame has this key: all are stale.
+    store->setKeys({Hash128{}});
+    const Status status = store->purgeStale();
+    QMetaObject::invokeMethod(this, [this, status] {
+      m_resetting = false;
+      if (!status.ok()) Q_EMIT message(QString::fromStdString(status.error().text()));
+      m_shown = nullptr;
+      Q_EMIT frameShown(nullptr);
+      Q_EMIT statesChanged();
+      m_time->setFrame(0);
+      m_runWanted = true;
+      m_debounce.start(0);
+    });
+  });
 }
 
 void SimulationController::stop() {
@@ -164,7 +204,19 @@ void SimulationController::takeSnapshot(const SnapshotPointer& snapshot,
   m_snapshot = snapshot;
   Q_EMIT snapshotChanged(m_snapshot);
   setState(State::Idle);
+  estimate();
   if (m_runWanted) run();
+}
+
+/// On a thread: keys of many frames take a while.
+void SimulationController::estimate() {
+  const quint64 number = ++m_estimate;
+  m_cleaner.start([this, number, scene = m_snapshot, store = m_store, options = runOptions(lastFrame())] {
+    const RunEstimate need = estimateRun(*scene, *store, options);
+    QMetaObject::invokeMethod(this, [this, number, need] {
+      if (number == m_estimate) Q_EMIT estimated(need);
+    });
+  });
 }
 
 int SimulationController::lastFrame() const {
@@ -173,7 +225,9 @@ int SimulationController::lastFrame() const {
 
 void SimulationController::run() {
   m_runPending = !m_storeReady;
-  if (m_runPending) return;
+  if (m_runPending || m_resetting || (m_paused && m_stepTo < 0)) return;
+  const int last = m_stepTo >= 0 ? m_stepTo : lastFrame();
+  m_stepTo = -1;
   const quint64 number = ++m_run;
   RunCallbacks callbacks;
   callbacks.progress = [this, number](const RunProgress& progress) {
@@ -187,7 +241,7 @@ void SimulationController::run() {
     QMetaObject::invokeMethod(this, [this, n = frame->info.time.frame] { frameReady(n); });
   };
   setState(State::Running);
-  m_runner->start(m_snapshot, m_store, runOptions(lastFrame()), std::move(callbacks),
+  m_runner->start(m_snapshot, m_store, runOptions(last), std::move(callbacks),
                   [this, number](const Status& status) {
                     QMetaObject::invokeMethod(this, [this, number, status] { runFinished(status, number); });
                   });

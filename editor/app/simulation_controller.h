@@ -7,13 +7,13 @@
 #include <memory>
 
 #include "core/base/timings.h"
+#include "core/sim/runner.h"
 #include "editor/app/frame_fetcher.h"
 #include "editor/app/snapshot_maker.h"
 #include "editor/document/change_event.h"
 
 namespace spin {
 
-class Runner;
 class SceneDocument;
 class TimeContext;
 
@@ -38,6 +38,9 @@ class SimulationController : public QObject {
   ~SimulationController() override;
 
   State state() const { return m_state; }
+  /// Held: nothing is simulated until it goes on, but for single steps.
+  bool paused() const { return m_paused; }
+  void setPaused(bool on);
   /// Simulates by itself after edits; otherwise only on start().
   bool automatic() const { return m_automatic; }
   void setAutomatic(bool on);
@@ -53,8 +56,14 @@ class SimulationController : public QObject {
   QString deviceName() const;
 
  public Q_SLOTS:
+  /// Goes on where it was held.
   void start();
   void stop();
+  /// Holds the run, simulates up to the frame after the shown one, and shows that.
+  void stepFrame();
+  /// Throws away all frames and checkpoints of this scene and starts again at the first one. The user was
+  /// asked.
+  void reset();
   /// Deletes stale frames from disk on a thread; the user asked for it.
   void purgeStale();
 
@@ -65,6 +74,9 @@ class SimulationController : public QObject {
   void frameShown(const spin::FramePointer& frame);
   void statesChanged();
   void progressed(const spin::SimulationProgress& progress);
+  void pausedChanged(bool on);
+  /// What the frames that are missing will take, each time the scene was read.
+  void estimated(const spin::RunEstimate& need);
   /// The run ended by itself; message is empty when all went well.
   void finished(const QString& message);
   void message(const QString& text);
@@ -83,6 +95,7 @@ class SimulationController : public QObject {
   void setState(State state);
   void reportRunError(const Status& status);
   int lastFrame() const;
+  void estimate();
 
   SceneDocument* m_document;
   TimeContext* m_time;
@@ -100,7 +113,11 @@ class SimulationController : public QObject {
   State m_state = State::Idle;
   bool m_automatic = true;
   bool m_runWanted = true;
+  bool m_paused = false;
+  bool m_resetting = false;
+  int m_stepTo = -1;  ///< last frame of a single step
   quint64 m_run = 0;
+  quint64 m_estimate = 0;
   /// Last, so that its thread ends before what its callbacks use.
   std::unique_ptr<Runner> m_runner;
 };

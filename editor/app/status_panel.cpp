@@ -36,6 +36,15 @@ QString stageSummary(const std::vector<StageTime>& stages, int frames) {
       .arg(std::lround(100.0 * slowest->seconds / total));
 }
 
+QString estimateText(const RunEstimate& need) {
+  if (need.framesToCompute < 1) return {};
+  const QString memory = bytesText(need.memoryBytes), disk = bytesText(need.diskBytes);
+  const int n = need.framesToCompute;
+  return need.diskBytes > 0.0
+             ? StatusPanel::tr("%n frame(s): %1 of memory, %2 on disk", nullptr, n).arg(memory, disk)
+             : StatusPanel::tr("%n frame(s): %1 of memory", nullptr, n).arg(memory);
+}
+
 QString stageTable(const std::vector<StageTime>& stages) {
   std::vector<StageTime> sorted = stages;
   std::stable_sort(sorted.begin(), sorted.end(),
@@ -72,6 +81,7 @@ StatusPanel::StatusPanel(QStatusBar* bar, SimulationController* simulation, View
   m_stop->setToolTip(tr("Stop the simulation"));
   bar->addPermanentWidget(m_progress);
   bar->addPermanentWidget(m_stop);
+  m_estimate = label("runEstimate", tr("What the frames that are not simulated yet will take"));
   m_stages = label("stageTimes", {});
   m_cache = label("cacheUsage", tr("Simulated frames in memory and on disk"));
   m_drawn = label("drawTime", tr("Time to draw the last picture of the view"));
@@ -81,6 +91,9 @@ StatusPanel::StatusPanel(QStatusBar* bar, SimulationController* simulation, View
   connect(simulation, &SimulationController::stateChanged, this, &StatusPanel::showState);
   connect(simulation, &SimulationController::progressed, this, &StatusPanel::showProgress);
   connect(simulation, &SimulationController::statesChanged, this, &StatusPanel::showCache);
+  connect(simulation, &SimulationController::estimated, this, &StatusPanel::showEstimate);
+  connect(simulation, &SimulationController::pausedChanged, this,
+          [this] { showState(m_simulation->state()); });
   connect(simulation, &SimulationController::message, bar,
           [bar](const QString& text) { bar->showMessage(text, 6000); });
   connect(simulation, &SimulationController::finished, bar, [bar](const QString& text) {
@@ -97,6 +110,7 @@ void StatusPanel::showState(SimulationController::State state) {
   const bool running = state == SimulationController::State::Running;
   m_progress->setVisible(reading || running);
   m_stop->setVisible(running);
+  m_estimate->setVisible(!running && !m_estimate->text().isEmpty());
   // Without a known length the bar only moves.
   m_progress->setRange(0, reading ? 0 : 1000);
   m_progress->setFormat(reading ? tr("Reading files...") : tr("Simulating..."));
@@ -117,6 +131,11 @@ void StatusPanel::showStages(const SimulationProgress& progress) {
   if (text.isEmpty()) return;
   m_stages->setText(text);
   m_stages->setToolTip(stageTable(progress.timings));
+}
+
+void StatusPanel::showEstimate(const RunEstimate& need) {
+  m_estimate->setText(estimateText(need));
+  showState(m_simulation->state());
 }
 
 void StatusPanel::showCache() {

@@ -28,11 +28,13 @@ class StatusPanel : public QObject {
   void showProgress(const SimulationProgress& progress);
   void showStages(const SimulationProgress& progress);
   void showCache();
+  void showEstimate(const RunEstimate& need);
   void showDrawn(double seconds);
 
   SimulationController* m_simulation;
   QProgressBar* m_progress;
   QToolButton* m_stop;
+  QLabel* m_estimate;
   QLabel* m_stages;
   QLabel* m_cache;
   QLabel* m_drawn;
@@ -42,6 +44,8 @@ class StatusPanel : public QObject {
 
 /// Total and slowest stage: "0.42 s per frame, cover 61 %". Empty without stages or frames.
 QString stageSummary(const std::vector<StageTime>& stages, int frames);
+/// What a run will take: "12 frames need 1.2 GB of memory, 340 MB on disk"; empty where nothing is missing.
+QString estimateText(const RunEstimate& need);
 /// All stages as a table in rich text, slowest first.
 QString stageTable(const std::vector<StageTime>& stages);
 

@@ -47,6 +47,13 @@ void drawBrush(QPainter& painter) {
   painter.drawPath(head);
 }
 
+void drawOutline(QPainter& painter) {
+  const QPolygonF corners({{6, 11}, {19, 5}, {27, 17}, {17, 27}, {7, 23}});
+  painter.drawPolygon(corners);
+  painter.setBrush(painter.pen().color());
+  for (const QPointF& corner : corners) painter.drawRect(QRectF(corner - QPointF(2, 2), QSizeF(4, 4)));
+}
+
 }  // namespace
 
 QIcon toolIcon(Viewport::Tool tool, const QColor& colour) {
@@ -71,6 +78,9 @@ QIcon toolIcon(Viewport::Tool tool, const QColor& colour) {
       break;
     case Viewport::Tool::Brush:
       drawBrush(painter);
+      break;
+    case Viewport::Tool::Outline:
+      drawOutline(painter);
       break;
   }
   return QIcon(pixmap);

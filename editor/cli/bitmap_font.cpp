@@ -109,24 +109,6 @@ bool covers(char c, int column, int row, int reach) {
   return false;
 }
 
-/// Light letters with a dark rim, legible on snow and on forest alike.
-void drawLine(ImageFloat& image, const std::string& line, int x0, int y0, int scale) {
-  for (std::size_t i = 0; i < line.size(); ++i)
-    for (int row = -1; row <= BitmapFont::kGlyphHeight; ++row)
-      for (int column = -1; column <= BitmapFont::kGlyphWidth; ++column) {
-        const int x = x0 + (static_cast<int>(i) * BitmapFont::kAdvance + column) * scale;
-        const int y = y0 + row * scale;
-        // The rims of neighbours overlap in one column; a letter is never darkened by the next one's rim.
-        const bool ofBefore = column < 0 && i > 0;
-        if (covers(line[i], column, row, 0))
-          blend(image, x, y, scale, 0.95f, 0.95f);
-        else if (!ofBefore && covers(line[i], column, row, 1))
-          blend(image, x, y, scale, 0.02f, 0.85f);
-        else if (column == BitmapFont::kGlyphWidth && i + 1 < line.size() && covers(line[i + 1], -1, row, 1))
-          blend(image, x, y, scale, 0.02f, 0.85f);
-      }
-}
-
 }  // namespace
 
 bool BitmapFont::covers(char c, int column, int row) {
@@ -157,8 +139,31 @@ std::vector<std::string> wrapText(const std::string& text, int columns) {
   return lines;
 }
 
+// Light letters with a dark rim are legible on snow and on forest alike.
+void drawText(ImageFloat& image, const std::string& letters, int x0, int y0, int scale) {
+  for (std::size_t i = 0; i < letters.size(); ++i)
+    for (int row = -1; row <= BitmapFont::kGlyphHeight; ++row)
+      for (int column = -1; column <= BitmapFont::kGlyphWidth; ++column) {
+        const int x = x0 + (static_cast<int>(i) * BitmapFont::kAdvance + column) * scale;
+        const int y = y0 + row * scale;
+        // The rims of neighbours overlap in one column; a letter is never darkened by the next one's rim.
+        const bool ofBefore = column < 0 && i > 0;
+        if (covers(letters[i], column, row, 0))
+          blend(image, x, y, scale, 0.95f, 0.95f);
+        else if (!ofBefore && covers(letters[i], column, row, 1))
+          blend(image, x, y, scale, 0.02f, 0.85f);
+        else if (column == BitmapFont::kGlyphWidth && i + 1 < letters.size() &&
+                 covers(letters[i + 1], -1, row, 1))
+          blend(image, x, y, scale, 0.02f, 0.85f);
+      }
+}
+
+int textScale(int pictureHeight) {
+  return std::max(1, (pictureHeight + 180) / 360);
+}
+
 void drawCaption(ImageFloat& image, const std::vector<std::string>& paragraphs) {
-  const int scale = std::max(1, (image.height + 180) / 360);
+  const int scale = textScale(image.height);
   const int margin = 5 * scale;
   const int columns = (image.width - 2 * margin) / (BitmapFont::kAdvance * scale);
   std::vector<std::string> lines;
@@ -166,7 +171,7 @@ void drawCaption(ImageFloat& image, const std::vector<std::string>& paragraphs) 
     for (std::string& line : wrapText(toFontLetters(paragraph), columns)) lines.push_back(std::move(line));
   int y = image.height - margin - static_cast<int>(lines.size()) * BitmapFont::kLineHeight * scale;
   for (const std::string& line : lines) {
-    drawLine(image, line, margin, y, scale);
+    drawText(image, line, margin, y, scale);
     y += BitmapFont::kLineHeight * scale;
   }
 }

@@ -24,6 +24,11 @@ std::string toFontLetters(const std::string& utf8);
 /// Breaks at blanks so that no line has more than `columns` letters (a longer word is cut).
 std::vector<std::string> wrapText(const std::string& text, int columns);
 
+/// Letters of the font with a dark rim, from the upper left corner; each pixel of a letter is a square of
+/// `scale` pixels. What lies beside the picture is left out.
+void drawText(ImageFloat& image, const std::string& letters, int x0, int y0, int scale);
+/// Size of a letter's pixel in pictures of this height.
+int textScale(int pictureHeight);
 /// Draws text lines into the lower left corner, light with a dark rim, sized to the picture's height.
 void drawCaption(ImageFloat& image, const std::vector<std::string>& paragraphs);
 

@@ -13,6 +13,7 @@
 #include "core/nodes/terrain_node.h"
 #include "editor/cli/bitmap_font.h"
 #include "editor/cli/cancel_watch.h"
+#include "editor/cli/legend_painter.h"
 #include "editor/render/egl_context.h"
 #include "editor/render/renderer.h"
 #include "plugins/host/plugin_host.h"
@@ -204,6 +205,7 @@ Status JobExport::writePictures(const FramePointer& frame) {
   }
   const std::vector<std::string> caption = captionLines(*m_opened.snapshot);
   if (!caption.empty()) drawCaption(image, caption);
+  if (const auto legend = flowLegend(*m_opened.snapshot, frame.get(), time)) drawLegend(image, *legend);
   for (Pictures& pictures : m_pictures) {
     const ScopedStage stage(m_timings, pictures.format.id);
     const std::string path = pathOf(pictures, frame->info.time.frame);

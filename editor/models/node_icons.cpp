@@ -4,6 +4,7 @@
 
 #include <QHash>
 #include <QPainter>
+#include <QPainterPath>
 #include <QPixmap>
 #include <QPolygonF>
 #include <array>
@@ -79,13 +80,55 @@ void gear(QPainter& p) {
   p.drawEllipse(QPointF(0, 0), 2, 2);
 }
 
+void slab(QPainter& p) {
+  polygon(p, QColor(0x8a, 0x9a, 0xa8), {{1, 14}, {9, 2}, {15, 14}});
+  polygon(p, Qt::white, {{6.4, 6}, {9, 2}, {11.6, 7.2}, {9.5, 9}, {8, 7.6}});
+  polygon(p, QColor(0xe0, 0x6a, 0x2a), {{5, 12}, {8, 8.6}, {9.5, 10}, {12.3, 8.6}, {13.4, 11}, {9, 13.4}});
+}
+void drop(QPainter& p) {
+  QPainterPath path(QPointF(8, 1.5));
+  path.cubicTo(11, 6, 13, 8, 13, 10.5);
+  path.cubicTo(13, 13, 10.8, 14.8, 8, 14.8);
+  path.cubicTo(5.2, 14.8, 3, 13, 3, 10.5);
+  path.cubicTo(3, 8, 5, 6, 8, 1.5);
+  p.setBrush(QColor(0x2f, 0x7f, 0xc4));
+  p.drawPath(path);
+}
+void drain(QPainter& p) {
+  p.setPen(QPen(QColor(0x4a, 0x4f, 0x57), 1.5));
+  p.setBrush(QColor(0xcf, 0xe0, 0xee));
+  p.drawRect(QRectF(2, 8, 12, 6));
+  polygon(p, QColor(0x2f, 0x7f, 0xc4), {{6, 1.5}, {10, 1.5}, {10, 6}, {12, 6}, {8, 11}, {4, 6}, {6, 6}});
+}
+void boulder(QPainter& p) {
+  polygon(p, QColor(0x7b, 0x76, 0x70), {{2, 12}, {4, 5}, {9, 2.5}, {13.5, 6}, {14, 12}, {9, 14.5}});
+  polygon(p, QColor(0xa3, 0x9d, 0x95), {{4, 5}, {9, 2.5}, {13.5, 6}, {8.5, 7.5}});
+}
+void flask(QPainter& p) {
+  polygon(p, QColor(0xcf, 0xe0, 0xee), {{6, 1.5}, {10, 1.5}, {10, 6}, {14, 14}, {2, 14}, {6, 6}});
+  polygon(p, QColor(0x8f, 0x6f, 0xb8), {{4.6, 9}, {11.4, 9}, {14, 14}, {2, 14}});
+}
+void waves(QPainter& p) {
+  p.setPen(QPen(QColor(0x2f, 0x7f, 0xc4), 1.7));
+  p.setBrush(Qt::NoBrush);
+  for (const double y : {4.0, 8.0, 12.0}) {
+    QPainterPath wave(QPointF(1, y));
+    wave.cubicTo(4, y - 4, 5, y + 4, 8, y);
+    wave.cubicTo(11, y - 4, 12, y + 4, 15, y);
+    p.drawPath(wave);
+  }
+}
+
 Draw drawingOf(const QString& type) {
   static const QHash<QString, Draw> kDrawings{
       {QStringLiteral("terrain"), mountain},        {QStringLiteral("model"), house},
       {QStringLiteral("ground_type"), fourColours}, {QStringLiteral("ground_temperature"), thermometer},
       {QStringLiteral("weather"), cloud},           {QStringLiteral("snowfall"), flake},
       {QStringLiteral("camera"), camera},           {QStringLiteral("render"), picture},
-      {QStringLiteral("simulation"), gear}};
+      {QStringLiteral("simulation"), gear},         {QStringLiteral("avalanche_release"), slab},
+      {QStringLiteral("water_source"), drop},       {QStringLiteral("flow_sink"), drain},
+      {QStringLiteral("rigid_body"), boulder},      {QStringLiteral("flow_material"), flask},
+      {QStringLiteral("flow_settings"), waves}};
   return kDrawings.value(type, gear);
 }
 

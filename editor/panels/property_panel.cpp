@@ -5,10 +5,12 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QLabel>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QStyle>
 #include <QVBoxLayout>
 
+#include "core/nodes/terrain_node.h"
 #include "editor/document/scene_document.h"
 #include "editor/document/time_context.h"
 #include "editor/models/node_icons.h"
@@ -60,6 +62,13 @@ void PropertyPanel::showNode(const std::string& id) {
       layout->addWidget(row);
       m_rows.push_back(row);
     }
+  }
+  if (node && node->as<ModelNode>()) {
+    auto* body = new QPushButton(tr("Make rigid body"), page);
+    body->setObjectName(QStringLiteral("makeRigidBody"));
+    body->setToolTip(tr("Make this model solid for avalanches and water, or show the body that does so"));
+    connect(body, &QPushButton::clicked, this, [this] { Q_EMIT bodyWanted(m_node); });
+    layout->addWidget(body);
   }
   layout->addStretch(1);
   // An edit may come from one of the rows that go now (undo by a shortcut in a spin box).

@@ -30,6 +30,8 @@ class PropertyPanel : public QWidget {
  Q_SIGNALS:
   /// An edit was refused; for the status bar.
   void editRefused(const QString& message);
+  /// A model is to be solid for the flow; the body that does so already is to be shown.
+  void bodyWanted(const std::string& model);
   /// Return in a field: the keys may go back to the view.
   void entered();
 

@@ -19,6 +19,11 @@ class Frustum {
   std::array<std::array<double, 4>, 5> m_planes;
 };
 
+/// Pixels x0, y0, x1, y1 (end excluded, from the lower left) that a box covers in a picture, and `margin`
+/// more on all sides; all of them where the box reaches behind the eye, none where it is out of sight.
+std::array<int, 4> pixelsOf(const Box3d& box, const Matrix4& viewProjection, int width, int height,
+                            double margin);
+
 /// What every pass needs to know of one picture.
 struct DrawContext {
   const SceneSnapshot& scene;

@@ -33,7 +33,7 @@ class GlStateGuard {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glBindVertexArray(0);
     glUseProgram(0);
-    for (GLuint unit = 0; unit < 8; ++unit) glBindTextureUnit(unit, 0);
+    for (GLuint unit = 0; unit < kUnits; ++unit) glBindTextureUnit(unit, 0);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(m_packBuffer));
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(m_drawFramebuffer));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(m_readFramebuffer));
@@ -43,6 +43,7 @@ class GlStateGuard {
   GlStateGuard& operator=(const GlStateGuard&) = delete;
 
  private:
+  static constexpr GLuint kUnits = 11;  ///< texture units in use
   GLint m_drawFramebuffer = 0, m_readFramebuffer = 0, m_packBuffer = 0;
   GLint m_viewport[4] = {};
 };

@@ -7,8 +7,10 @@
 
 #include "core/base/units.h"
 #include "core/nodes/camera_node.h"
+#include "editor/render/area_pass.h"
 #include "editor/render/cover_pass.h"
 #include "editor/render/flake_pass.h"
+#include "editor/render/flow_pass.h"
 #include "editor/render/gl_state.h"
 #include "editor/render/model_pass.h"
 #include "editor/render/noise_texture.h"
@@ -50,6 +52,8 @@ struct Renderer::State {
   ShadowPass shadows;
   CoverPass cover;
   FlakePass flakes;
+  FlowPass flow;
+  AreaPass area;
   GlProgram sky;
   GlVertexArray screenArray;
   GlTexture noise;
@@ -110,6 +114,8 @@ Status Renderer::initialise() {
   if (Status s = st.shadows.initialise(); !s) return s;
   if (Status s = st.cover.initialise(); !s) return s;
   if (Status s = st.flakes.initialise(); !s) return s;
+  if (Status s = st.flow.initialise(); !s) return s;
+  if (Status s = st.area.initialise(); !s) return s;
   auto sky = GlProgram::build("screen.vert", "sky.frag");
   if (!sky) return sky.error();
   st.sky = std::move(*sky);
@@ -152,7 +158,17 @@ void Renderer::State::updateCover() {
     return at == frame->parts.end() ? nullptr : at->second;
   };
   cover.setCover(std::dynamic_pointer_cast<const CoverPart>(part("cover")), scene.get());
-  flakes.setFlakes(std::dynamic_pointer_cast<const ParticlePart>(part("flakes")));
+  const auto particles = [&](const char* name) {
+    return std::dynamic_pointer_cast<const ParticlePart>(part(name));
+  };
+  flakes.setFlakes(particles("flakes"));
+  double spacing = 0.0;
+  if (frame) {
+    const auto& figures = frame->info.figures;
+    const auto told = figures.find("flow_spacing_m");
+    if (told != figures.end()) spacing = told->second;
+  }
+  flow.setFlow(particles("flow"), particles("flow_boundary"), spacing);
 }
 
 FrameBlock Renderer::State::makeBlock(const RenderCamera& camera, double filmTime,
@@ -199,11 +215,14 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
   timed("ground", [&] { terrain.update(*scene, filmTime, options.ground, toSun); });
   const std::vector<PlacedModel> placed =
       models.place(*scene, filmTime, frame ? frame->part<BodiesPart>("bodies") : nullptr);
-  timed("shadow", [&] { shadows.update(models, placed, camera, toSun, b); });
+  timed("shadow", [&] { shadows.update(models, placed, flow, camera, toSun, b); });
   glNamedBufferSubData(block.id(), 0, sizeof b, &b);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, block.id());
   const DrawContext context{
       *scene, camera, filmTime, options, b, Frustum(b.viewProjection), static_cast<double>(b.viewport.z)};
+  timed("area", [&] { area.setScene(scene, options.selectedNode); });
+  bindTextures();
+  timed("flow surface", [&] { flow.prepare(context); });
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, options.width, options.height);
   limitToBand(options);
@@ -211,12 +230,11 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
   glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, black);
   glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far);
   glDepthFunc(GL_GEQUAL);
-  bindTextures();
   const bool snow = b.terrainSize.z > 0.5f;
   timed("models", [&] { models.draw(context, placed); });
   timed("terrain", [&] {
     if (snow) cover.drawFine(context);
-    terrain.draw(context, snow ? cover.cuts() : std::vector<Vec4f>{});
+    terrain.draw(context, snow ? cover.cuts() : std::vector<Vec4f>{}, flow.bounds());
   });
   timed("sky", [&] {
     sky.use();
@@ -227,6 +245,13 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   timed("cover", [&] {
     if (snow) cover.drawPatches(context, placed);
+  });
+  glDepthMask(GL_FALSE);
+  timed("area", [&] { area.draw(); });
+  glDepthMask(GL_TRUE);
+  timed("flow", [&] {
+    flow.draw(context);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   });
   glDepthMask(GL_FALSE);
   timed("flakes", [&] {

@@ -11,14 +11,17 @@ namespace {
 /// Smallest half-width of the shadowed square, m; it doubles as the camera draws back.
 constexpr double kHalfSize = 48.0;
 
-/// Distance ahead at which shadows matter: that of the nearest model before the camera.
-double focusDistance(const std::vector<PlacedModel>& placed, const RenderCamera& camera) {
+/// Distance ahead at which shadows matter: that of the nearest model or flow before the camera.
+double focusDistance(const std::vector<PlacedModel>& placed, const FlowPass& flow,
+                     const RenderCamera& camera) {
   const Vec3d forward = normalized(camera.target - camera.position);
   double nearest = 1e9;
-  for (const PlacedModel& one : placed) {
-    const Vec3d to = one.bounds.centre() - camera.position;
+  const auto see = [&](Vec3d centre) {
+    const Vec3d to = centre - camera.position;
     if (dot(to, forward) > 0.0) nearest = std::min(nearest, length(to));
-  }
+  };
+  for (const PlacedModel& one : placed) see(one.bounds.centre());
+  if (!flow.bounds().empty()) see(flow.bounds().centre());
   return nearest < 1e9 ? nearest : 0.0;
 }
 
@@ -59,24 +62,26 @@ Status ShadowPass::initialise() {
   return {};
 }
 
-void ShadowPass::update(const ModelPass& models, const std::vector<PlacedModel>& placed,
+void ShadowPass::update(const ModelPass& models, const std::vector<PlacedModel>& placed, const FlowPass& flow,
                         const RenderCamera& camera, Vec3d toSun, FrameBlock& block) {
-  block.zenith.w = placed.empty() ? 0.0f : 1.0f;
-  if (placed.empty()) return;
-  const double focus = focusDistance(placed, camera);
+  const bool nothing = placed.empty() && flow.empty();
+  block.zenith.w = nothing ? 0.0f : 1.0f;
+  if (nothing) return;
+  const double focus = focusDistance(placed, flow, camera);
   const double steps = std::max(0.0, std::ceil(std::log2(std::max(1.0, (focus + 16.0) / kHalfSize))));
   const double half = kHalfSize * std::exp2(std::min(steps, 6.0));
   const Vec3d ahead = camera.target - camera.position;
   const Vec3d centre = camera.position + normalized(ahead) * std::min(focus, half);
   block.shadowMatrix = lightMatrix(centre, toSun, half, 2.0 * half, kSunTexels);
   block.zenithMatrix = lightMatrix(centre, {0, 0, 1}, half, 2.0 * half, kZenithTexels);
-  if (toSun.z > 0.0) drawMap(m_sun, block.shadowMatrix, models, placed);
-  drawMap(m_zenith, block.zenithMatrix, models, placed);
+  if (toSun.z > 0.0) drawMap(m_sun, block.shadowMatrix, half, models, placed, &flow);
+  drawMap(m_zenith, block.zenithMatrix, half, models, placed, nullptr);
 }
 
-void ShadowPass::drawMap(Map& map, const Matrix4& light, const ModelPass& models,
-                         const std::vector<PlacedModel>& placed) {
+void ShadowPass::drawMap(Map& map, const Matrix4& light, double halfSize, const ModelPass& models,
+                         const std::vector<PlacedModel>& placed, const FlowPass* flow) {
   std::vector<double> key(light.begin(), light.end());
+  if (flow) key.push_back(flow->revision());
   std::vector<PlacedModel> casting;
   for (const PlacedModel& one : placed) {
     if (!inside(light, one.bounds)) continue;
@@ -96,6 +101,7 @@ void ShadowPass::drawMap(Map& map, const Matrix4& light, const ModelPass& models
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.5f, 2.0f);
   models.drawDepth(light, casting);
+  if (flow) flow->drawDepth(light, 0.5 * map.texels / halfSize);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 

@@ -22,6 +22,14 @@ bool overlaps(const Box3d& box, const Vec4f& r) {
          box.min.y < static_cast<double>(r.w) && box.max.y > static_cast<double>(r.y);
 }
 
+/// Whether what fills a box may throw a shadow on ground in another, up to three of its heights away.
+bool shadedBy(const Box3d& ground, const Box3d& caster) {
+  if (caster.empty()) return false;
+  const double reach = 3.0 * std::min(caster.size().z, 20.0);
+  return ground.min.x < caster.max.x + reach && ground.max.x > caster.min.x - reach &&
+         ground.min.y < caster.max.y + reach && ground.max.y > caster.min.y - reach;
+}
+
 }  // namespace
 
 int terrainLevel(double distance, double cellSize, double pixelsPerUnit, double pixels) {
@@ -128,7 +136,7 @@ void TerrainPass::drawTile(const LevelMesh& mesh) const {
   glDrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);
 }
 
-void TerrainPass::draw(const DrawContext& context, const std::vector<Vec4f>& cuts) {
+void TerrainPass::draw(const DrawContext& context, const std::vector<Vec4f>& cuts, const Box3d& shading) {
   m_triangles = 0;
   if (!m_terrain) return;
   glBindVertexArray(m_vertexArray.id());
@@ -147,7 +155,7 @@ void TerrainPass::draw(const DrawContext& context, const std::vector<Vec4f>& cut
     for (const Vec4f& cut : cuts)
       if (overlaps(tile->bounds, cut) && here.size() < kMostCuts) here.push_back(cut);
     const bool natural = context.options.ground == GroundDisplay::Natural;
-    const bool near = distance < kNearShading || !here.empty();
+    const bool near = distance < kNearShading || !here.empty() || shadedBy(tile->bounds, shading);
     const GlProgram& program = !natural ? m_falseProgram : near ? m_nearProgram : m_farProgram;
     program.use();
     if (natural && near) {

@@ -24,9 +24,9 @@ class TerrainPass {
   void update(const SceneSnapshot& scene, double filmTime, GroundDisplay display, Vec3d toSun);
   /// Binds what every pass that lights something reads: light map and ground colours.
   void bindTextures() const;
-  /// `cuts`: rectangles x0, y0, x1, y1 that fine grids draw instead. Fills FrameBlock's terrain fields
-  /// before.
-  void draw(const DrawContext& context, const std::vector<Vec4f>& cuts);
+  /// `cuts`: rectangles x0, y0, x1, y1 that fine grids draw instead. `shading`: what throws shadows on the
+  /// ground however far it is; may be empty.
+  void draw(const DrawContext& context, const std::vector<Vec4f>& cuts, const Box3d& shading);
   void fill(FrameBlock& block) const;
   bool empty() const { return !m_terrain; }
   std::size_t trianglesDrawn() const { return m_triangles; }

@@ -70,6 +70,15 @@ QToolButton* TimelinePanel::addButton(const char* name) {
   return button;
 }
 
+void TimelinePanel::addTool(QAction* action) {
+  auto* button = new QToolButton(this);
+  button->setObjectName(action->objectName());
+  button->setDefaultAction(action);
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::NoFocus);
+  static_cast<QHBoxLayout*>(layout()->itemAt(0)->layout())->addWidget(button);
+}
+
 void TimelinePanel::setFilm(int first, int last, double frameRate) {
   const int before = current();
   m_rate = frameRate;

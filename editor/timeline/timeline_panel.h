@@ -9,6 +9,7 @@
 #include "editor/timeline/playback_clock.h"
 #include "editor/timeline/timeline_bar.h"
 
+class QAction;
 class QLabel;
 class QSpinBox;
 class QToolButton;
@@ -25,6 +26,8 @@ class TimelinePanel : public QWidget {
   int current() const { return m_bar->current(); }
   bool playing() const { return m_playing; }
   double frameRate() const { return m_rate; }
+  /// Adds a button for an action of others at the right end of the transport's row.
+  void addTool(QAction* action);
   /// Range (inclusive) and film speed, frames per second.
   void setFilm(int first, int last, double frameRate);
 

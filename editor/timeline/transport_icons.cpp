@@ -18,6 +18,15 @@ void bar(QPainter& painter, double x) {
   painter.drawRect(QRectF(x, 8, 3.5, 16));
 }
 
+/// Stands for the simulation, as against the film.
+void ring(QPainter& painter, const QColor& colour) {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(colour, 2.0));
+  painter.drawEllipse(QPointF(16, 16), 10.5, 10.5);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colour);
+}
+
 }  // namespace
 
 QIcon transportIcon(TransportIcon icon, const QColor& colour) {
@@ -51,6 +60,24 @@ QIcon transportIcon(TransportIcon icon, const QColor& colour) {
     case TransportIcon::Last:
       triangle(painter, 7, 20);
       bar(painter, 21.5);
+      break;
+    case TransportIcon::HoldRun:
+      ring(painter, colour);
+      painter.drawRect(QRectF(12, 11, 3, 10));
+      painter.drawRect(QRectF(17, 11, 3, 10));
+      break;
+    case TransportIcon::StepRun:
+      ring(painter, colour);
+      painter.drawPolygon(QPolygonF({{11.5, 11}, {17.5, 16}, {11.5, 21}}));
+      painter.drawRect(QRectF(18, 11, 2.6, 10));
+      break;
+    case TransportIcon::Reset:
+      painter.setBrush(Qt::NoBrush);
+      painter.setPen(QPen(colour, 2.4, Qt::SolidLine, Qt::RoundCap));
+      painter.drawArc(QRectF(7.5, 7.5, 17, 17), 150 * 16, -290 * 16);
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(colour);
+      painter.drawPolygon(QPolygonF({{4.5, 7.5}, {12.5, 8.5}, {7, 14.5}}));
       break;
   }
   return QIcon(pixmap);

@@ -6,7 +6,7 @@
 
 namespace spin {
 
-enum class TransportIcon { First, Previous, Play, Pause, Next, Last };
+enum class TransportIcon { First, Previous, Play, Pause, Next, Last, HoldRun, StepRun, Reset };
 
 /// Drawn in the colour of the text, because the style's own icons are too dark for a dark window.
 QIcon transportIcon(TransportIcon icon, const QColor& colour);

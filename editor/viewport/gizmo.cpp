@@ -33,14 +33,6 @@ bool isAxis(GizmoHandle handle) {
   return handle == GizmoHandle::AxisX || handle == GizmoHandle::AxisY || handle == GizmoHandle::AxisZ;
 }
 
-double segmentDistance(Vec2d p, Vec2d a, Vec2d b) {
-  const Vec2d ab = b - a;
-  const Vec2d ap = p - a;
-  const double square = ab.x * ab.x + ab.y * ab.y;
-  const double t = square > 0.0 ? std::clamp((ap.x * ab.x + ap.y * ab.y) / square, 0.0, 1.0) : 0.0;
-  return std::hypot(ap.x - ab.x * t, ap.y - ab.y * t);
-}
-
 /// Distance in pixels of the pointer from an outline; closed outlines count as filled where `filled`.
 double outlineDistance(const ViewFrame& view, const std::vector<Vec3d>& outline, Vec2d pixel, bool filled) {
   double best = std::numeric_limits<double>::infinity();
@@ -62,6 +54,14 @@ double rounded(double value, double step) {
 }
 
 }  // namespace
+
+double segmentDistance(Vec2d p, Vec2d a, Vec2d b) {
+  const Vec2d ab = b - a;
+  const Vec2d ap = p - a;
+  const double square = ab.x * ab.x + ab.y * ab.y;
+  const double t = square > 0.0 ? std::clamp((ap.x * ab.x + ap.y * ab.y) / square, 0.0, 1.0) : 0.0;
+  return std::hypot(ap.x - ab.x * t, ap.y - ab.y * t);
+}
 
 GizmoPose GizmoPose::of(const ViewFrame& view, Vec3d pivot, Vec3d rotationDegrees, GizmoMode mode,
                         GizmoAxes axes) {

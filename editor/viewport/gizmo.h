@@ -41,6 +41,8 @@ struct GizmoPose {
 std::vector<Vec3d> gizmoOutline(const GizmoPose& pose, GizmoMode mode, GizmoHandle handle);
 /// Handles of a mode, those that are grabbed first come first.
 std::vector<GizmoHandle> gizmoHandles(GizmoMode mode);
+/// Distance of a point from a straight piece in the picture.
+double segmentDistance(Vec2d p, Vec2d a, Vec2d b);
 /// The handle under the pointer.
 GizmoHandle pickGizmo(const ViewFrame& view, const GizmoPose& pose, GizmoMode mode, Vec2d pixel);
 

@@ -6,6 +6,7 @@
 
 #include "core/base/units.h"
 #include "core/fields/terrain_surface.h"
+#include "core/nodes/flow_nodes.h"
 #include "editor/viewport/scene_picker.h"
 
 namespace spin {
@@ -13,16 +14,28 @@ namespace {
 
 constexpr int kRimPoints = 48;
 
-}  // namespace
-
-TiledRaster<std::uint8_t> groundTypeLayer(const SceneSnapshot& scene) {
+/// The painted layer of the first node that fits, or a blank one of the terrain's size.
+template <class Fits>
+TiledRaster<std::uint8_t> layerOf(const SceneSnapshot& scene, std::uint8_t blank, const Fits& fits) {
   const Raster<float>& heights = scene.terrain->heights;
   for (const SceneNode& node : scene.nodes) {
     const auto* painted = std::get_if<TiledRaster<std::uint8_t>>(&node.painted);
-    const bool fits = painted && painted->width() == heights.width && painted->height() == heights.height;
-    if (fits && node.as<GroundTypeLayerNode>()) return *painted;
+    const bool sized = painted && painted->width() == heights.width && painted->height() == heights.height;
+    if (sized && fits(node)) return *painted;
   }
-  return {heights.width, heights.height, kUnpaintedGround};
+  return {heights.width, heights.height, blank};
+}
+
+}  // namespace
+
+TiledRaster<std::uint8_t> groundTypeLayer(const SceneSnapshot& scene) {
+  return layerOf(scene, kUnpaintedGround,
+                 [](const SceneNode& node) { return node.as<GroundTypeLayerNode>() != nullptr; });
+}
+
+TiledRaster<std::uint8_t> releaseLayer(const SceneSnapshot& scene, const std::string& id) {
+  return layerOf(scene, kReleaseUnpainted,
+                 [&id](const SceneNode& node) { return node.id == id && node.as<AvalancheReleaseNode>(); });
 }
 
 void GroundBrush::hover(const ViewportContext& context, Vec2d pixel) {
@@ -45,7 +58,12 @@ std::vector<Vec3d> GroundBrush::rim(const ViewportContext& context) const {
 bool GroundBrush::begin(const ViewportContext& context, Vec2d pixel) {
   hover(context, pixel);
   if (!m_position) return false;
-  m_stroke.emplace(groundTypeLayer(*context.scene), context.scene->terrain->heights, m_radius, m_value);
+  const Raster<float>& grid = context.scene->terrain->heights;
+  if (m_release.empty())
+    m_stroke.emplace(groundTypeLayer(*context.scene), grid, m_radius, m_value);
+  else
+    m_stroke.emplace(releaseLayer(*context.scene, m_release), grid, m_radius,
+                     m_rubsOut ? kReleaseUnpainted : kReleasePainted);
   m_stroke->moveTo({m_position->x, m_position->y});
   return true;
 }

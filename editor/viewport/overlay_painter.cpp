@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "editor/viewport/overlay_painter.h"
 
+#include <QCoreApplication>
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -113,6 +115,54 @@ void paintHint(QPainter& painter, const QRectF& area, const QString& title, cons
   painter.setFont(font);
   painter.setPen(QColor(165, 172, 180));
   painter.drawText(box.adjusted(16, 62, -16, -12), Qt::AlignCenter | Qt::TextWordWrap, text);
+}
+
+void paintLegend(QPainter& painter, const QRectF& area, const FlowLegend& legend) {
+  constexpr double kBar = 14.0, kGap = 8.0, kMargin = 16.0, kRow = 20.0;
+  const auto text = [](const std::string& source) {
+    return QCoreApplication::translate("Properties", source.c_str());
+  };
+  const auto colour = [&](double place) {
+    const Vec3d c = scaleColour(legend.scale, place);
+    const auto code = [](double linear) {
+      return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+    };
+    return QColor::fromRgbF(static_cast<float>(code(c.x)), static_cast<float>(code(c.y)),
+                            static_cast<float>(code(c.z)));
+  };
+  QString title = text(legend.title);
+  if (!legend.unit.empty()) title += QStringLiteral(", ") + QString::fromStdString(legend.unit);
+  const QFontMetricsF metrics(painter.font());
+  double widest = metrics.horizontalAdvance(title) - kBar - kGap;
+  for (const FlowLegend::Tick& tick : legend.ticks)
+    widest = std::max(widest, metrics.horizontalAdvance(text(tick.text)));
+  const bool classes = legend.scale.classes;
+  const double rows = static_cast<double>(legend.ticks.size());
+  const double height = classes ? rows * kRow : std::clamp(0.4 * area.height(), 80.0, 320.0);
+  const QRectF box(area.right() - kMargin - widest - kBar - kGap - 20.0,
+                   area.center().y() - 0.5 * height - 24.0, widest + kBar + kGap + 20.0, height + 44.0);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(20, 22, 26, 170));
+  painter.drawRoundedRect(box, 6, 6);
+  painter.setPen(QColor(225, 230, 235));
+  painter.drawText(QPointF(box.left() + 10, box.top() + 18), title);
+  const QRectF bar(box.left() + 10, box.top() + 30, kBar, height);
+  for (std::size_t k = 0; k < legend.ticks.size(); ++k) {
+    const FlowLegend::Tick& tick = legend.ticks[k];
+    const double y = classes ? bar.top() + (static_cast<double>(k) + 0.5) * kRow
+                             : bar.bottom() - tick.place * bar.height();
+    if (classes) painter.fillRect(QRectF(bar.left(), y - 7, kBar, kBar), colour(tick.place));
+    if (!classes) painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 4, y));
+    painter.drawText(QPointF(bar.right() + kGap, y + 0.35 * metrics.ascent()), text(tick.text));
+  }
+  if (classes) return;
+  QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
+  for (std::size_t k = 0; k < kScaleStops; ++k) {
+    const double place = static_cast<double>(k) / static_cast<double>(kScaleStops - 1);
+    gradient.setColorAt(place, colour(place));
+  }
+  painter.fillRect(bar, gradient);
 }
 
 void paintBadge(QPainter& painter, const QString& text) {

@@ -5,6 +5,7 @@
 #include <QString>
 #include <vector>
 
+#include "editor/render/flow_scale.h"
 #include "editor/viewport/gizmo.h"
 
 class QPainter;
@@ -19,6 +20,8 @@ void paintGizmo(QPainter& painter, const ViewFrame& view, const GizmoPose& pose,
 void paintLoop(QPainter& painter, const ViewFrame& view, const std::vector<Vec3d>& loop);
 /// A calm message in the middle of the view.
 void paintHint(QPainter& painter, const QRectF& area, const QString& title, const QString& text);
+/// What the colours of the picture mean: at the right rim of the area.
+void paintLegend(QPainter& painter, const QRectF& area, const FlowLegend& legend);
 /// A small label in a corner: top left.
 void paintBadge(QPainter& painter, const QString& text);
 

@@ -7,10 +7,12 @@
 #include <algorithm>
 
 #include "core/fields/terrain_surface.h"
+#include "core/nodes/flow_nodes.h"
 #include "editor/render/view_uniforms.h"
 #include "editor/viewport/overlay_painter.h"
 #include "editor/viewport/picture_view.h"
 #include "editor/viewport/scene_picker.h"
+#include "editor/viewport/shape_painter.h"
 
 namespace spin {
 
@@ -39,11 +41,20 @@ void Viewport::setScene(SnapshotPointer scene) {
   m_scene = std::move(scene);
   m_surface->setScene(m_scene);
   m_navigator.setFloor(m_scene ? eyeFloor(*m_scene) : EyeFloor());
+  followSelection();
+  updateLegend();
   refresh();
 }
 
 void Viewport::setFrame(FramePointer frame) {
+  m_frame = frame;
   m_surface->setFrame(std::move(frame));
+  updateLegend();
+}
+
+void Viewport::updateLegend() {
+  m_legend = m_scene ? flowLegend(*m_scene, m_frame.get(), m_filmTime) : std::nullopt;
+  updateOverlay();
 }
 
 void Viewport::setFilmTime(double seconds) {
@@ -56,11 +67,20 @@ void Viewport::setSelected(const std::string& node) {
   m_selected = node;
   m_options.selectedNode = node;
   m_gizmo.setNode(node);
+  m_shape.setNode(node);
+  followSelection();
   refresh();
 }
 
+/// The brush paints the area of a release while one is selected.
+void Viewport::followSelection() {
+  if (m_brush.painting()) return;
+  const SceneNode* node = findShapeNode(context(), m_selected);
+  m_brush.setRelease(node && node->as<AvalancheReleaseNode>() ? m_selected : std::string());
+}
+
 void Viewport::setTool(Tool tool) {
-  if (m_gizmo.dragging() || m_brush.painting()) endEdit();
+  if (editing()) endEdit();
   m_tool = tool;
   if (tool == Tool::Rotate)
     m_gizmo.setMode(GizmoMode::Rotate);
@@ -69,7 +89,8 @@ void Viewport::setTool(Tool tool) {
   else
     m_gizmo.setMode(GizmoMode::Move);
   m_brush.leave();
-  m_surface->setCursor(tool == Tool::Brush ? Qt::CrossCursor : Qt::ArrowCursor);
+  const bool draws = tool == Tool::Brush || tool == Tool::Outline;
+  m_surface->setCursor(draws ? Qt::CrossCursor : Qt::ArrowCursor);
   updateOverlay();
 }
 
@@ -195,6 +216,8 @@ void Viewport::paintOverlay(QPainter& painter) const {
   const bool empty = !m_scene || showsNothing(*m_scene);
   if (empty && !m_hintTitle.isEmpty()) paintHint(painter, QRectF(m_surface->rect()), m_hintTitle, m_hintText);
   if (m_lookThrough) paintBadge(painter, tr("Camera view"));
+  if (m_legend) paintLegend(painter, QRectF(m_surface->rect()), *m_legend);
+  paintShapes(painter, seen);
   if (m_tool == Tool::Brush) {
     paintLoop(painter, seen.view, m_brush.rim(seen));
   } else if (m_tool != Tool::Select) {
@@ -202,6 +225,22 @@ void Viewport::paintOverlay(QPainter& painter) const {
     const GizmoHandle active = m_gizmo.dragging() ? m_gizmo.activeHandle() : m_hovered;
     if (pose) paintGizmo(painter, seen.view, *pose, m_gizmo.mode(), active);
   }
+}
+
+/// Lines of all releases, sources and sinks; handles of the selected one where a tool moves them.
+void Viewport::paintShapes(QPainter& painter, const ViewportContext& seen) const {
+  if (!m_scene || m_lookThrough) return;
+  for (const SceneNode& node : m_scene->nodes)
+    if (node.id != m_selected) paintShapeLines(painter, seen, flowShape(seen, node.id), false);
+  const FlowShape shape = flowShape(seen, m_selected);
+  paintShapeLines(painter, seen, shape, true);
+  if (m_tool == Tool::Select || m_tool == Tool::Brush) return;
+  std::optional<ShapePoint> active;
+  if (m_shape.dragging())
+    active = m_shape.grabbed();
+  else
+    active = m_shape.pointAt(seen, m_pointer);
+  paintShapePoints(painter, seen.view, shape, active);
 }
 
 }  // namespace spin

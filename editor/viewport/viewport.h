@@ -6,6 +6,8 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "editor/render/flow_scale.h"
+#include "editor/viewport/flow_gizmo.h"
 #include "editor/viewport/ground_brush.h"
 #include "editor/viewport/view_navigator.h"
 
@@ -19,7 +21,7 @@ class PictureView;
 class Viewport : public QWidget {
   Q_OBJECT
  public:
-  enum class Tool { Select, Move, Rotate, Scale, Brush };
+  enum class Tool { Select, Move, Rotate, Scale, Brush, Outline };
 
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;
@@ -53,6 +55,9 @@ class Viewport : public QWidget {
 
   ViewportContext context() const;
   const ModelGizmo& gizmo() const { return m_gizmo; }
+  const FlowGizmo& shape() const { return m_shape; }
+  /// What the colours of the shown frame mean; nothing where they stand for no values.
+  const std::optional<FlowLegend>& legend() const { return m_legend; }
   /// The widget that shows the picture and takes the pointer.
   PictureView* surface() const { return m_surface; }
 
@@ -61,8 +66,14 @@ class Viewport : public QWidget {
   void nodeClicked(const std::string& id);
   /// The gizmo is dragged: placement of a model node, again and again until editFinished().
   void placementEdited(const std::string& id, const spin::GizmoPlacement& placement);
-  /// The brush paints: the whole layer, again and again until editFinished().
-  void layerPainted(const spin::TiledRaster<std::uint8_t>& layer);
+  /// The brush paints: the whole layer, again and again until editFinished(). The node is a release, or empty
+  /// for ground types.
+  void layerPainted(const std::string& node, const spin::TiledRaster<std::uint8_t>& layer);
+  /// A handle of a release, source or sink is dragged: properties of the node, again and again until
+  /// editFinished().
+  void shapeEdited(const std::string& id, const spin::FlowGizmo::Values& values);
+  /// The outline tool is used where no release is selected: a new one is to begin here, in plan.
+  void outlineWanted(spin::Vec2d corner);
   void editStarted();
   void editFinished();
   /// Escape: take back what editStarted() began.
@@ -81,7 +92,15 @@ class Viewport : public QWidget {
   bool release(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
   bool cancelEdit();
+  bool keyPress(const QKeyEvent& event);
+  bool removeCorner();
   bool beginEdit(Vec2d pixel);
+  bool beginShape(Vec2d pixel);
+  bool editing() const { return m_gizmo.dragging() || m_brush.painting() || m_shape.dragging(); }
+  void dragShape(const QMouseEvent& event);
+  void followSelection();
+  void updateLegend();
+  void paintShapes(QPainter& painter, const ViewportContext& seen) const;
   void endEdit();
   void hover(Vec2d pixel);
   void leaveLookThrough();
@@ -94,12 +113,16 @@ class Viewport : public QWidget {
   double now() const;
 
   SnapshotPointer m_scene;
+  FramePointer m_frame;
+  std::optional<FlowLegend> m_legend;
   double m_filmTime = 0.0;
   std::string m_selected;
   Tool m_tool = Tool::Select;
   ViewNavigator m_navigator;
   ModelGizmo m_gizmo;
+  FlowGizmo m_shape;
   GroundBrush m_brush;
+  Vec2d m_pointer{};
   GizmoHandle m_hovered = GizmoHandle::None;
   RenderOptions m_options;
   bool m_lookThrough = false;

@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include "core/nodes/flow_nodes.h"
 #include "editor/viewport/picture_view.h"
 #include "editor/viewport/scene_picker.h"
 #include "editor/viewport/viewport.h"
@@ -34,7 +35,7 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
       return wheel(*static_cast<QWheelEvent*>(event));
     case QEvent::ShortcutOverride:
     case QEvent::KeyPress:
-      if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape || !cancelEdit()) return false;
+      if (!keyPress(*static_cast<QKeyEvent*>(event))) return false;
       event->accept();
       return true;
     case QEvent::Leave:
@@ -47,8 +48,27 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
   }
 }
 
+/// True for keys that mean something here; others go on to the window's shortcuts.
+bool Viewport::keyPress(const QKeyEvent& event) {
+  if (event.key() == Qt::Key_Escape) return cancelEdit();
+  if (event.key() != Qt::Key_Delete && event.key() != Qt::Key_Backspace) return false;
+  if (m_tool != Tool::Outline || editing() || !m_shape.withoutCorner(context(), m_pointer)) return false;
+  // The announcement of a shortcut comes first; the press that follows does the work.
+  return event.type() == QEvent::ShortcutOverride || removeCorner();
+}
+
+bool Viewport::removeCorner() {
+  const auto values = m_shape.withoutCorner(context(), m_pointer);
+  if (!values) return false;
+  Q_EMIT editStarted();
+  Q_EMIT shapeEdited(m_shape.node(), *values);
+  Q_EMIT editFinished();
+  updateOverlay();
+  return true;
+}
+
 bool Viewport::press(const QMouseEvent& event) {
-  if (m_gizmo.dragging() || m_brush.painting()) return true;
+  if (editing()) return true;
   if (m_navigator.press(event)) {
     leaveLookThrough();
     return true;
@@ -64,16 +84,46 @@ bool Viewport::beginEdit(Vec2d pixel) {
   if (m_tool == Tool::Brush) {
     if (!m_brush.begin(seen, pixel)) return false;
     Q_EMIT editStarted();
-    Q_EMIT layerPainted(m_brush.layer());
+    Q_EMIT layerPainted(m_brush.release(), m_brush.layer());
     return true;
   }
-  if (m_tool == Tool::Select || !m_gizmo.begin(seen, pixel)) return false;
+  if (m_tool != Tool::Select && beginShape(pixel)) return true;
+  if (m_tool == Tool::Select || m_tool == Tool::Outline || !m_gizmo.begin(seen, pixel)) return false;
   Q_EMIT editStarted();
   return true;
 }
 
+/// Grabs a handle of the selected release, source or sink; the outline tool also adds corners.
+bool Viewport::beginShape(Vec2d pixel) {
+  const ViewportContext seen = context();
+  if (m_tool != Tool::Outline) {
+    if (!m_shape.begin(seen, pixel)) return false;
+    Q_EMIT editStarted();
+    return true;
+  }
+  if (m_shape.beginOutline(seen, pixel)) {
+    Q_EMIT editStarted();
+    Q_EMIT shapeEdited(m_shape.node(), m_shape.drag(seen, pixel, {}));
+    return true;
+  }
+  const auto hit = m_scene ? pickTerrain(*m_scene, seen.view.ray(pixel)) : std::nullopt;
+  const SceneNode* node = findShapeNode(seen, m_selected);
+  if (!hit || (node && node->as<AvalancheReleaseNode>())) return false;
+  Q_EMIT outlineWanted({hit->x, hit->y});
+  return true;
+}
+
+void Viewport::dragShape(const QMouseEvent& event) {
+  const DragKeys keys{event.modifiers().testFlag(Qt::ControlModifier),
+                      event.modifiers().testFlag(Qt::ShiftModifier)};
+  m_surface->setMoving(true);
+  Q_EMIT shapeEdited(m_shape.node(), m_shape.drag(context(), pixelOf(event.position()), keys));
+  updateOverlay();
+}
+
 bool Viewport::move(const QMouseEvent& event) {
   const Vec2d pixel = pixelOf(event.position());
+  m_pointer = pixel;
   if (m_navigator.move(event, m_surface->height())) {
     cameraMoved();
     return true;
@@ -84,9 +134,13 @@ bool Viewport::move(const QMouseEvent& event) {
     Q_EMIT placementEdited(m_gizmo.node(), m_gizmo.drag(context(), pixel, snap));
     return true;
   }
+  if (m_shape.dragging()) {
+    dragShape(event);
+    return true;
+  }
   if (m_brush.painting()) {
     m_surface->setMoving(true);
-    if (m_brush.drag(context(), pixel)) Q_EMIT layerPainted(m_brush.layer());
+    if (m_brush.drag(context(), pixel)) Q_EMIT layerPainted(m_brush.release(), m_brush.layer());
     updateOverlay();
     return true;
   }
@@ -100,7 +154,7 @@ void Viewport::hover(Vec2d pixel) {
     updateOverlay();
   } else if (m_tool != Tool::Select) {
     const GizmoHandle handle = m_gizmo.handleAt(context(), pixel);
-    if (handle != m_hovered) updateOverlay();
+    if (handle != m_hovered || findShapeNode(context(), m_selected)) updateOverlay();
     m_hovered = handle;
   }
 }
@@ -111,14 +165,19 @@ bool Viewport::release(const QMouseEvent& event) {
     return true;
   }
   if (event.button() != Qt::LeftButton) return false;
-  if (m_gizmo.dragging() || m_brush.painting()) {
+  if (editing()) {
     endEdit();
     return true;
   }
   const QPointF travel = event.position() - m_pressed;
-  if (m_clicking && travel.manhattanLength() <= kClickPixels && m_tool != Tool::Brush && m_scene) {
-    const auto hit = pickScene(*m_scene, m_filmTime, context().view.ray(pixelOf(event.position())));
-    Q_EMIT nodeClicked(hit ? hit->node : std::string());
+  const bool selects = m_tool != Tool::Brush && m_tool != Tool::Outline;
+  if (m_clicking && travel.manhattanLength() <= kClickPixels && selects && m_scene) {
+    const ViewportContext seen = context();
+    const Vec2d pixel = pixelOf(event.position());
+    std::string clicked = shapeNodeAt(seen, pixel);
+    if (clicked.empty())
+      if (const auto hit = pickScene(*m_scene, m_filmTime, seen.view.ray(pixel))) clicked = hit->node;
+    Q_EMIT nodeClicked(clicked);
   }
   m_clicking = false;
   return true;
@@ -127,15 +186,17 @@ bool Viewport::release(const QMouseEvent& event) {
 void Viewport::endEdit() {
   m_gizmo.end();
   m_brush.end();
+  m_shape.end();
   m_surface->setMoving(false);
   updateOverlay();
   Q_EMIT editFinished();
 }
 
 bool Viewport::cancelEdit() {
-  if (!m_gizmo.dragging() && !m_brush.painting()) return false;
+  if (!editing()) return false;
   m_gizmo.end();
   m_brush.end();
+  m_shape.end();
   m_surface->setMoving(false);
   updateOverlay();
   Q_EMIT editCancelled();

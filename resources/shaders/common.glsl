@@ -22,3 +22,11 @@ layout(std140, binding = 0) uniform FrameBlock {
 vec2 terrainUv(vec2 local) {
   return ((local - uTerrainGrid.xy) * uTerrainGrid.z + 0.5) / uTerrainSize.xy;
 }
+
+// Three numbers in -1..1 from one, the same on every machine.
+vec3 scatter(uint n) {
+  n = (n ^ (n >> 16)) * 0x7feb352du;
+  n = (n ^ (n >> 15)) * 0x846ca68bu;
+  n ^= n >> 16;
+  return vec3(n & 1023u, (n >> 10) & 1023u, (n >> 20) & 1023u) * (2.0 / 1023.0) - 1.0;
+}

@@ -94,13 +94,14 @@ TEST_F(ModelDraw, SharedDataIsHeldOnceAndShadowsAreDrawnOnlyWhenNeeded) {
   models.setScene(*snapshot);
   EXPECT_EQ(models.modelsHeld(), 1u);
   ShadowPass shadows;
+  const FlowPass flow;
   ASSERT_TRUE(shadows.initialise().ok());
   FrameBlock block;
   const Vec3d sun = normalized(Vec3d{1, 1, 1});
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   glEnable(GL_DEPTH_TEST);
   const auto update = [&](const SceneSnapshot& s, Vec3d eye) {
-    shadows.update(models, models.place(s, 0.0), {eye, eye + Vec3d{0, 10, 0}, 45}, sun, block);
+    shadows.update(models, models.place(s, 0.0), flow, {eye, eye + Vec3d{0, 10, 0}, 45}, sun, block);
     return shadows.timesDrawn();
   };
   EXPECT_EQ(update(*snapshot, {0, -10, 2}), 2u) << "sun and zenith";

@@ -130,7 +130,7 @@ TEST_F(TerrainDraw, LowerQualityDrawsFewerTriangles) {
     FrameBlock block;
     block.viewProjection = viewProjection(camera, 16.0 / 9.0, 0.1);
     const DrawContext context{*scene, camera, 0.0, options, block, Frustum(block.viewProjection), 869.0};
-    pass.draw(context, {});
+    pass.draw(context, {}, {});
     return pass.trianglesDrawn();
   };
   EXPECT_GT(triangles(1.0), 5000u);

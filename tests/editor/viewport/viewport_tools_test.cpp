@@ -177,7 +177,7 @@ class ViewportToolsTest : public QObject {
     f.viewport.brush().setValue(static_cast<std::uint8_t>(GroundType::Ice));
     TiledRaster<std::uint8_t> layer;
     connect(&f.viewport, &Viewport::layerPainted, &f.viewport,
-            [&](const TiledRaster<std::uint8_t>& l) { layer = l; });
+            [&](const std::string&, const TiledRaster<std::uint8_t>& l) { layer = l; });
     QSignalSpy finished(&f.viewport, &Viewport::editFinished);
     const TerrainSurface surface(f.viewport.context().scene->terrain->heights);
     const auto on = [&](double x, double y) { return f.pixel({x, y, *surface.heightAt(x, y)}); };

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/viewport/shape_painter.h"
+
+#include <QPainter>
+#include <cmath>
+
+#include "core/fields/terrain_surface.h"
+
+namespace spin {
+namespace {
+
+constexpr double kHiddenMetres = 1.0;  // behind the ground by more than this
+constexpr int kHiddenAlpha = 70;
+
+/// Whether the terrain stands between the eye and a point.
+bool hidden(const ViewportContext& c, Vec3d point) {
+  if (!c.scene->terrain || c.scene->terrain->heights.empty()) return false;
+  const Vec3d eye = c.view.camera().position;
+  const Vec3d way = point - eye;
+  const double distance = length(way);
+  if (distance < 1e-6) return false;
+  const auto hit = TerrainSurface(c.scene->terrain->heights).raycast(eye, way * (1.0 / distance));
+  return hit && length(*hit - eye) < distance - kHiddenMetres - 2e-3 * distance;
+}
+
+void paintTip(QPainter& painter, QPointF from, QPointF to) {
+  const QPointF along = to - from;
+  const double size = std::hypot(along.x(), along.y());
+  if (size < 1.0) return;
+  const QPointF u = along / size, v(-u.y(), u.x());
+  painter.drawPolygon(QPolygonF({to + u * 9.0, to + v * 5.0, to - v * 5.0}));
+}
+
+}  // namespace
+
+void paintShapeLines(QPainter& painter, const ViewportContext& context, const FlowShape& shape,
+                     bool selected) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QColor colour = selected ? QColor(255, 196, 92) : QColor(120, 190, 235);
+  for (const FlowShape::Line& line : shape.lines) {
+    const std::size_t pieces = line.points.size() - (line.closed ? 0 : 1);
+    for (std::size_t k = 0; k < pieces; ++k) {
+      const Vec3d from = line.points[k], to = line.points[(k + 1) % line.points.size()];
+      const auto a = context.view.project(from), b = context.view.project(to);
+      if (!a || !b) continue;
+      const bool behind = hidden(context, (from + to) * 0.5);
+      const QPointF p(a->x, a->y), q(b->x, b->y);
+      QColor drawn = colour;
+      if (behind) drawn.setAlpha(kHiddenAlpha);
+      if (!behind) {
+        painter.setPen(QPen(QColor(0, 0, 0, 120), selected ? 4.0 : 3.0, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(p, q);
+      }
+      painter.setPen(QPen(drawn, selected ? 2.2 : 1.4, Qt::SolidLine, Qt::RoundCap));
+      painter.drawLine(p, q);
+      painter.setBrush(drawn);
+      if (line.arrow && k + 1 == pieces) paintTip(painter, p, q);
+      painter.setBrush(Qt::NoBrush);
+    }
+  }
+}
+
+void paintShapePoints(QPainter& painter, const ViewFrame& view, const FlowShape& shape,
+                      const std::optional<ShapePoint>& active) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const ShapePoint& point : shape.points) {
+    const auto at = view.project(point.place);
+    if (!at) continue;
+    const bool chosen = active && active->handle == point.handle && active->index == point.index;
+    painter.setPen(QPen(QColor(0, 0, 0, 170), 1.2));
+    painter.setBrush(chosen ? QColor(255, 240, 150) : QColor(255, 196, 92));
+    const double r = chosen ? 6.5 : 5.0;
+    const QPointF p(at->x, at->y);
+    if (point.handle == ShapeHandle::Corner || point.handle == ShapeHandle::Face)
+      painter.drawRect(QRectF(p - QPointF(r, r) * 0.85, QSizeF(2 * r, 2 * r) * 0.85));
+    else
+      painter.drawEllipse(p, r, r);
+  }
+  painter.setBrush(Qt::NoBrush);
+}
+
+}  // namespace spin

@@ -1,0 +1,292 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <QAction>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QGuiApplication>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+#include "core/nodes/flow_nodes.h"
+#include "editor/app/flow_defaults.h"
+#include "editor/app/main_actions.h"
+#include "editor/app/main_window.h"
+#include "editor/app/scene_tools.h"
+#include "editor/app/status_panel.h"
+#include "editor/document/autosave.h"
+#include "editor/panels/stage_panel.h"
+#include "editor/timeline/timeline_panel.h"
+#include "editor/viewport/viewport.h"
+#include "tests/editor/support/strict.h"
+#include "tests/editor/support/test_scene.h"
+#include "tests/support/node_data.h"
+
+using namespace spin;
+
+namespace {
+
+struct Fixture {
+  Fixture() : window(std::make_shared<test::FakeReader>()) { window.simulation().setAutomatic(false); }
+  QAction* action(const char* name) { return window.actions().findChild<QAction*>(QLatin1String(name)); }
+  SceneDocument& document() { return window.document(); }
+  /// Adds an asset of the fake reader.
+  std::string addAsset(const NodeType& type, const char* name) {
+    QFile file(folder.filePath(QLatin1String(name)));
+    if (file.open(QIODevice::WriteOnly)) file.write("stands for a file");
+    file.close();
+    const auto added = edit::addAssetNode(document(), type, file.fileName());
+    return added.ok() ? *added : std::string();
+  }
+  const SimulationNode& film() { return *document().scene().firstOf(kSimulationType)->as<SimulationNode>(); }
+  QTemporaryDir folder;
+  MainWindow window;
+};
+
+std::shared_ptr<Frame> frameWithStages() {
+  auto frame = std::make_shared<Frame>();
+  frame->info.time.frame = 7;
+  frame->info.backend = "cpu-test";
+  frame->info.timings.add("density", 0.03);
+  frame->info.timings.add("force", 0.01);
+  frame->info.figures["flow_steps"] = 12;
+  frame->info.figures["flow_particles"] = 4321;
+  return frame;
+}
+
+}  // namespace
+
+/// What the window offers for flow: nodes, tools, holding and resetting, tables.
+class FlowWindowTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+  void init() {
+    test::failOnWarnings();
+    QDir(Autosave::defaultStateDirectory()).removeRecursively();
+  }
+
+  /// New nodes stand where the view looks, as large as suits it, turned downhill.
+  void newNodesStandInSight() {
+    ViewSight sight;
+    sight.terrain = test::hill();
+    sight.place = Vec3d{128, 60, 20};  // south of the top: down is -y
+    sight.distance = 200.0;
+    const auto release = placedDefaults(kAvalancheReleaseType, sight, {});
+    QCOMPARE(release.size(), std::size_t{1});
+    const auto outline = std::get<PlanPoints>(release[0].second);
+    QCOMPARE(outline.size(), std::size_t{4});
+    Vec2d middle{};
+    for (const Vec2d& corner : outline) middle = middle + corner * 0.25;
+    QVERIFY(std::hypot(middle.x - 128, middle.y - 60) < 1e-6);
+    const auto source = placedDefaults(kWaterSourceType, sight, {});
+    const auto velocity = std::get<Vec3d>(source[2].second);
+    QVERIFY(velocity.y < -1.9 && std::abs(velocity.x) < 0.2);
+    const auto sink = placedDefaults(kFlowSinkType, sight, {});
+    QVERIFY(std::get<Vec3d>(sink[0].second) == Vec3d(128, 60, 20));
+    QVERIFY(placedDefaults(kWeatherType, sight, {}).empty());
+    sight.place.reset();
+    QVERIFY(placedDefaults(kAvalancheReleaseType, sight, {}).empty());
+  }
+
+  void everyFlowNodeCanBeAddedAndUndone() {
+    Fixture f;
+    for (const NodeType* type : {&kAvalancheReleaseType, &kWaterSourceType, &kFlowSinkType, &kRigidBodyType,
+                                 &kFlowMaterialType, &kFlowSettingsType}) {
+      const int before = f.document().undoStack()->index();
+      const auto added = f.window.tools().addNode(*type, QStringLiteral("New"));
+      QVERIFY(added.ok());
+      QVERIFY(f.document().node(*added));
+      QCOMPARE(f.document().undoStack()->index(), before + 1);
+      f.action("editUndo")->trigger();
+      QVERIFY(!f.document().node(*added));
+    }
+  }
+
+  /// The first click makes the release with its first corner: one undo step; later clicks one each.
+  void outlinesAreDrawnInUndoSteps() {
+    Fixture f;
+    Viewport& view = f.window.viewport();
+    const int before = f.document().undoStack()->index();
+    Q_EMIT view.outlineWanted({10, 20});
+    QCOMPARE(f.document().undoStack()->index(), before + 1);
+    const std::string id = f.document().selected();
+    const auto outline = [&] { return f.document().node(id)->as<AvalancheReleaseNode>()->outline; };
+    QCOMPARE(outline().size(), std::size_t{1});
+    Q_EMIT view.editStarted();
+    for (const double x : {30.0, 31.0, 32.0})
+      Q_EMIT view.shapeEdited(id, {{"outline_m", PlanPoints{{10, 20}, {x, 20}}}});
+    Q_EMIT view.editFinished();
+    QCOMPARE(f.document().undoStack()->index(), before + 2);
+    QCOMPARE(outline()[1].x, 32.0);
+    f.action("editUndo")->trigger();
+    QCOMPARE(outline().size(), std::size_t{1});
+    f.action("editUndo")->trigger();
+    QVERIFY(!f.document().node(id));
+  }
+
+  void aReleaseIsPaintedInOneUndoStep() {
+    Fixture f;
+    const auto added = f.window.tools().addNode(kAvalancheReleaseType, QStringLiteral("Slab"));
+    QVERIFY(added.ok());
+    const int before = f.document().undoStack()->index();
+    TiledRaster<std::uint8_t> layer(65, 65, kReleaseUnpainted);
+    Viewport& view = f.window.viewport();
+    Q_EMIT view.editStarted();
+    for (int i = 5; i < 9; ++i) {
+      layer.set(i, 4, kReleasePainted);
+      Q_EMIT view.layerPainted(*added, layer);
+    }
+    Q_EMIT view.editFinished();
+    QCOMPARE(f.document().undoStack()->index(), before + 1);
+    QVERIFY(std::get<TiledRaster<std::uint8_t>>(f.document().node(*added)->painted) == layer);
+    f.action("editUndo")->trigger();
+    QVERIFY(!std::holds_alternative<TiledRaster<std::uint8_t>>(f.document().node(*added)->painted) ||
+            !(std::get<TiledRaster<std::uint8_t>>(f.document().node(*added)->painted) == layer));
+  }
+
+  /// The brush's list follows the selection.
+  void theBrushOffersWhatItPaints() {
+    Fixture f;
+    f.window.show();
+    f.action("toolBrush")->trigger();
+    auto* types = f.window.findChild<QComboBox*>(QStringLiteral("brushType"));
+    auto* area = f.window.findChild<QComboBox*>(QStringLiteral("brushArea"));
+    QVERIFY(types->isVisible());
+    QVERIFY(!area->isVisible());
+    QVERIFY(f.window.tools().addNode(kAvalancheReleaseType, QStringLiteral("Slab")).ok());
+    QVERIFY(!types->isVisible());
+    QVERIFY(area->isVisible());
+    area->setCurrentIndex(1);
+    QVERIFY(f.window.viewport().brush().rubsOut());
+  }
+
+  void aModelIsMadeSolidOnce() {
+    Fixture f;
+    const std::string model = f.addAsset(kModelType, "rock.glb");
+    f.document().select(model);
+    auto* button = f.window.findChild<QPushButton*>(QStringLiteral("makeRigidBody"));
+    QVERIFY(button);
+    button->click();
+    const std::string body = f.document().selected();
+    QVERIFY(f.document().node(body)->as<RigidBodyNode>());
+    QCOMPARE(f.document().node(body)->as<RigidBodyNode>()->model, model);
+    const std::size_t nodes = f.document().scene().nodes().size();
+    f.document().select(model);
+    f.window.findChild<QPushButton*>(QStringLiteral("makeRigidBody"))->click();
+    QCOMPARE(f.document().selected(), body);
+    QCOMPARE(f.document().scene().nodes().size(), nodes);
+  }
+
+  /// The menu changes the scene's picture settings, and shows what they are.
+  void theMenuSetsWhatFlowShows() {
+    Fixture f;
+    QVERIFY(f.action("flow_material")->isChecked());
+    f.action("flow_speed")->trigger();
+    const auto settings = [&] { return *f.document().scene().firstOf(kRenderType)->as<RenderNode>(); };
+    QVERIFY(settings().flowDisplay == FlowDisplay::Speed);
+    f.action("flowBoundary")->trigger();
+    QVERIFY(settings().showFlowBoundary);
+    f.action("editUndo")->trigger();
+    QVERIFY(!f.action("flowBoundary")->isChecked());
+    f.action("editUndo")->trigger();
+    QVERIFY(f.action("flow_material")->isChecked());
+  }
+
+  /// A process is held from the frame after the shown one on; what comes before stays.
+  void aProcessIsHeldFromHere() {
+    Fixture f;
+    f.window.timeline().setCurrent(24);
+    QAction* hold = f.action("simulatePauseFlow");
+    QVERIFY(!hold->isChecked());
+    hold->trigger();
+    const auto heldAt = [&](int frame) {
+      const SceneNode* node = f.document().scene().firstOf(kSimulationType);
+      return std::get<bool>(valueAt(*node, *node->type->find("pause_flow"), frame / f.film().frameRate));
+    };
+    QVERIFY(!heldAt(0) && !heldAt(24));
+    QVERIFY(heldAt(25) && heldAt(100));
+    f.window.timeline().setCurrent(10);
+    QVERIFY(!hold->isChecked());
+    f.window.timeline().setCurrent(60);
+    QVERIFY(hold->isChecked());
+    hold->trigger();
+    QVERIFY(heldAt(60) && !heldAt(61));
+    f.action("editUndo")->trigger();
+    f.action("editUndo")->trigger();
+    QVERIFY(f.document().scene().firstOf(kSimulationType)->curves.empty());
+  }
+
+  /// Single steps simulate one frame further and hold the run; Reset throws all away, after the question.
+  void stepsAndResets() {
+    Fixture f;
+    SimulationController& simulation = f.window.simulation();
+    QVERIFY(!f.addAsset(kTerrainType, "land.tif").empty());
+    QTRY_VERIFY_WITH_TIMEOUT(simulation.snapshot() && simulation.snapshot()->terrain, 20000);
+    const auto ready = [&] {
+      const auto states = simulation.frameStates();
+      return static_cast<int>(std::count(states.begin(), states.end(), FrameState::Ready));
+    };
+    f.action("simulateStep")->trigger();
+    QVERIFY(simulation.paused());
+    QVERIFY(f.action("simulatePause")->isChecked());
+    QCOMPARE(f.window.time().frame(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(ready(), 2, 60000);
+    f.action("simulateStep")->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(ready(), 3, 60000);
+    QCOMPARE(f.window.time().frame(), 2);
+    f.window.actions().mayReset = [] { return false; };
+    f.action("simulateReset")->trigger();
+    QCOMPARE(ready(), 3);
+    f.window.actions().mayReset = [] { return true; };
+    f.action("simulateReset")->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(f.window.time().frame(), 0, 60000);
+    QTRY_COMPARE_WITH_TIMEOUT(ready(), 0, 60000);
+    simulation.stop();
+  }
+
+  void theNeedIsToldBeforeTheRun() {
+    RunEstimate need;
+    QVERIFY(estimateText(need).isEmpty());
+    need.framesToCompute = 12;
+    need.memoryBytes = 3e9;
+    QVERIFY(estimateText(need).contains(QStringLiteral("12")));
+    QVERIFY(!estimateText(need).contains(QStringLiteral("disk")));
+    need.diskBytes = 5e6;
+    QVERIFY(estimateText(need).contains(QStringLiteral("disk")));
+    Fixture f;
+    QSignalSpy told(&f.window.simulation(), &SimulationController::estimated);
+    QVERIFY(!f.addAsset(kTerrainType, "land.tif").empty());
+    QTRY_VERIFY_WITH_TIMEOUT(told.count() > 0, 20000);
+  }
+
+  /// The table of stages: time and share, figures, copied as text.
+  void stagesAreListedAndCopied() {
+    StagePanel panel;
+    auto* stages = panel.findChild<QTableWidget*>(QStringLiteral("stages"));
+    QCOMPARE(stages->rowCount(), 0);
+    QVERIFY(!panel.findChild<QToolButton*>(QStringLiteral("copyStages"))->isEnabled());
+    panel.setFrame(frameWithStages());
+    QCOMPARE(stages->rowCount(), 3);
+    QCOMPARE(stages->item(0, 0)->text(), QStringLiteral("density"));
+    QCOMPARE(stages->item(0, 1)->text(), QStringLiteral("30.00 ms"));
+    QCOMPARE(stages->item(0, 2)->text(), QStringLiteral("75.0 %"));
+    QCOMPARE(stages->item(2, 1)->text(), QStringLiteral("40.00 ms"));
+    panel.findChild<QToolButton*>(QStringLiteral("copyStages"))->click();
+    const QString text = QGuiApplication::clipboard()->text();
+    QVERIFY(text.contains(QStringLiteral("density\t30.00 ms\t75.0 %\t1")));
+    QVERIFY(text.contains(QStringLiteral("flow_steps\t12")));
+    panel.setFrame(nullptr);
+    QCOMPARE(stages->rowCount(), 0);
+  }
+};
+
+QTEST_MAIN(FlowWindowTest)
+#include "flow_window_test.moc"
