@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/physics/rheology.h"
+#include "core/sph/implicit_view.h"
 #include "core/sph/wall_view.h"
 
 namespace spin {
@@ -141,6 +142,9 @@ struct FlowView {
   std::int32_t domainX = 0, domainY = 0, domainZ = 0;  ///< end of the domain, units; it begins at 0
   FlowConstants constants;
   WallView walls;
+  StressRecord* stress = nullptr;  ///< null = viscosity is pairwise
+  PressureSolveView pressureSolve;
+  ViscousSolveView viscousSolve;
 };
 
 }  // namespace spin
