@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/physics/rheology.h"
+#include "core/sph/implicit_view.h"
 #include "core/sph/wall_view.h"
 
 namespace spin {
@@ -132,6 +133,7 @@ struct FlowView {
   float *ax = nullptr, *ay = nullptr, *az = nullptr;  ///< acceleration by neighbours, m/s2
   float *sx = nullptr, *sy = nullptr, *sz = nullptr;  ///< XSPH's change of velocity, m/s; null = off
   float* shearRate = nullptr;                         ///< 1/s; null where no material needs it
+  float* bodyRate = nullptr;  ///< rate of the excess by bodies in an implicit solve, 1/s; null without bodies
   ParticleExtra* extra = nullptr;
   std::uint32_t* id = nullptr;
   std::uint32_t* key = nullptr;
@@ -141,6 +143,9 @@ struct FlowView {
   std::int32_t domainX = 0, domainY = 0, domainZ = 0;  ///< end of the domain, units; it begins at 0
   FlowConstants constants;
   WallView walls;
+  StressRecord* stress = nullptr;  ///< null = viscosity is pairwise
+  PressureSolveView pressureSolve;
+  ViscousSolveView viscousSolve;
 };
 
 }  // namespace spin
