@@ -59,6 +59,16 @@ Status RigidWorld::setStates(std::vector<RigidState> states) {
   return {};
 }
 
+std::vector<bool> RigidWorld::freeBodies(double seconds) const {
+  std::vector<bool> free(m_bodies.size());
+  for (std::size_t k = 0; k < free.size(); ++k) free[k] = moves(k);
+  for (const RigidContact& c : findContacts(m_bodies, m_states, m_statics, m_staticFriction, seconds)) {
+    free[static_cast<std::size_t>(c.a)] = false;
+    if (c.b >= 0) free[static_cast<std::size_t>(c.b)] = false;
+  }
+  return free;
+}
+
 int RigidWorld::substeps(double seconds) const {
   double count = seconds / kLongestSubstep;
   for (std::size_t k = 0; k < m_bodies.size(); ++k) {

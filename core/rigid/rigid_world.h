@@ -33,6 +33,9 @@ class RigidWorld {
   /// Fails, and changes nothing, where the number is another or a value is not finite.
   Status setStates(std::vector<RigidState> states);
   bool asleep(std::size_t body) const { return m_states[body].calmSeconds >= kSleepAfter; }
+  /// Bodies that nothing but gravity and `impulses` would move in a step: awake, not kinematic, and nothing
+  /// within their way.
+  std::vector<bool> freeBodies(double seconds) const;
   /// Impulse that gravity and what does not move, kinematic and sleeping bodies among it, gave in the last
   /// step, N s: the change of the moving bodies' momentum is this and `impulses` on all bodies.
   Vec3d outerImpulse() const { return m_outer; }

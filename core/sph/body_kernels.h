@@ -153,7 +153,7 @@ SPIN_HD_INLINE PairVector<float> bodyPressureOn(const FlowView& v, const BodyVie
   const float e = 1.0f + v.excess[i], pressure = r.pressureTerm * e * e;
   PairVector<float> sum{0.0f, 0.0f, 0.0f};
   forBoundaryNear(v, b.grid, i, [&](const PairVector<float>& d, std::uint32_t j) {
-    const float push = bodyPush(c, r.pressureTerm, pressure, r.restDensity, d);
+    const float push = bodyPush(v, r.pressureTerm, pressure, r.restDensity, d);
     const float scale = b.record[j].volume * bodyForceScale(c, push, CubicSpline::slopeOverQ(distanceOf(d)));
     sum.x += scale * d.x;
     sum.y += scale * d.y;
@@ -173,6 +173,7 @@ struct BodyPressureKernel {
     v.ax[i] += push.x;
     v.ay[i] += push.y;
     v.az[i] += push.z;
+    b.gift[k] = {push.x, push.y, push.z};
   }
 };
 
@@ -230,13 +231,14 @@ struct BodyRubKernel {
     v.ax[i] += rub.holdX;
     v.ay[i] += rub.holdY;
     v.az[i] += rub.holdZ;
+    BodyGift& gift = b.gift[k];
+    gift = {gift.x + rub.x + rub.holdX, gift.y + rub.y + rub.holdY, gift.z + rub.z + rub.holdZ};
   }
 
  private:
   SPIN_HD_INLINE void stick(const BodySurfaces& s, const PairVector<float>& slip, const PairRecord& r,
                             BodyRub& rub) const {
-    const float rate =
-        kBodyMirror * 2.0f * r.viscosity * v.constants.viscousFactor * s.weight / r.restDensity;
+    const float rate = kBodyMirror * 2.0f * r.viscosity * b.viscousFactor * s.weight / r.restDensity;
     const float scale = -rate / (1.0f + kick * rate);
     rub.x = scale * slip.x, rub.y = scale * slip.y, rub.z = scale * slip.z;
   }
@@ -299,7 +301,7 @@ struct BodyReactionKernel {
       const PairRecord& r = v.record[i];
       const float e = 1.0f + v.excess[i], slope = CubicSpline::slopeOverQ(distanceOf(d));
       const float push =
-          bodyPush(c, r.pressureTerm, r.pressureTerm * e * e, r.restDensity, {-d.x, -d.y, -d.z});
+          bodyPush(v, r.pressureTerm, r.pressureTerm * e * e, r.restDensity, {-d.x, -d.y, -d.z});
       const double scale = volume * static_cast<double>(w.volume * bodyForceScale(c, push, slope));
       add(sum, scale * static_cast<double>(d.x), scale * static_cast<double>(d.y),
           scale * static_cast<double>(d.z), static_cast<double>(w.armX), static_cast<double>(w.armY),

@@ -43,6 +43,11 @@ struct BodyRub {
   std::uint32_t holder;       ///< sorted boundary particle; UINT32_MAX = none
 };
 
+/// All that bodies gave a flow particle in a step, m/s2.
+struct BodyGift {
+  float x, y, z;
+};
+
 /// Force and torque about the body's centre of mass, N and N m.
 struct BodyLoad {
   double fx, fy, fz, tx, ty, tz;
@@ -59,6 +64,8 @@ struct BodyView {
   const std::uint32_t* list = nullptr;  ///< flow particles that may be near a body
   const std::uint32_t* slot = nullptr;  ///< place in the list, by flow particle
   BodyRub* rub = nullptr;               ///< by place in the list
+  BodyGift* gift = nullptr;             ///< by place in the list
+  float viscousFactor = 0;              ///< V0 norm / h^5, whatever form viscosity has between particles
 };
 
 }  // namespace spin

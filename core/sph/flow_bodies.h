@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/sph/body_kernels.h"
+#include "core/sph/body_solve.h"
 #include "core/sph/flow_world.h"
 
 namespace spin {
@@ -23,6 +23,9 @@ class FlowBodies {
     m_world = makeFlowWorld(config).value();
     m_origin = config.domainMin;
     m_volume = config.spacing * config.spacing * config.spacing;
+    m_gravity = config.gravity;
+    const double h = config.support();
+    m_view.viscousFactor = static_cast<float>(m_volume * CubicSpline::kNorm / (h * h * h * h * h));
     BodyPoints points = makeBodyPoints(config);
     backend.upload(points.points, m_points);
     backend.upload(points.chunks, m_chunks);
@@ -93,16 +96,42 @@ class FlowBodies {
     if (m_listed == 0) return impulses;
     backend.forEach("bodies", m_points.size(), ClearLoadKernel{m_load.data()});
     backend.forEach("bodies", m_view.grid.count, BodyReactionKernel{flow, m_view, m_load.data(), m_volume});
-    backend.forEach("bodies", m_chunks.size(),
-                    SumLoadKernel{m_load.data(), m_chunks.data(), m_chunkSums.data()});
-    std::vector<BodyLoad> sums;
-    backend.download(m_chunkSums, sums);
-    for (std::size_t c = 0; c < sums.size(); ++c) {
-      RigidImpulse& to = impulses[m_chunkBodies[c].body];
-      to.linear += Vec3d{sums[c].fx, sums[c].fy, sums[c].fz} * kick;
-      to.angular += Vec3d{sums[c].tx, sums[c].ty, sums[c].tz} * kick;
-    }
-    return impulses;
+    return summedLoads(backend, kick);
+  }
+
+  /// Adds to the sums that the implicit pressure is solved from.
+  void constraint(Backend& backend, const FlowView& flow) {
+    if (flow.bodyRate) backend.forEach("bodies", flow.count, ClearBodyRateKernel{flow});
+    if (m_listed > 0) backend.forEach("bodies", m_listed, BodyConstraintKernel{flow, m_view});
+  }
+  /// Before a solve of `seconds`: free bodies take the velocities that all known forces give them.
+  void beginSolve(Backend& backend, const FlowView& flow, double seconds) {
+    if (m_listed == 0) return;
+    m_guess = m_world.states();
+    m_free = m_world.freeBodies(seconds);
+    for (std::size_t k = 0; k < m_guess.size(); ++k)
+      if (m_free[k]) m_guess[k].velocity += m_gravity * seconds;
+    follow(backend, flow, reaction(backend, flow, seconds));
+  }
+  /// Rates of the excess, before each iterate.
+  void divergence(Backend& backend, const FlowView& flow) {
+    if (m_listed > 0) backend.forEach("bodies", m_listed, BodyDivergenceKernel{flow, m_view});
+  }
+  /// An iterate's push on flow and bodies.
+  void push(Backend& backend, const FlowView& flow) {
+    if (m_listed == 0) return;
+    backend.forEach("bodies", m_listed, BodySolvePushKernel{flow, m_view});
+    if (std::find(m_free.begin(), m_free.end(), true) == m_free.end()) return;
+    backend.forEach("bodies", m_points.size(), ClearLoadKernel{m_load.data()});
+    backend.forEach("bodies", m_view.grid.count, BodySolveLoadKernel{flow, m_view, m_load.data(), m_volume});
+    follow(backend, flow, summedLoads(backend, static_cast<double>(flow.pressureSolve.timeStep)));
+  }
+  /// Force on the flow by all that bodies gave its particles in this step, N.
+  Vec3d given(Backend& backend, const FlowView& flow) {
+    if (m_listed == 0) return {};
+    const ImpulseSum sum = backend.reduce("impulse", m_listed, ImpulseSum{0, 0, 0},
+                                          BodyGiftOf{flow, m_view, m_volume}, AddImpulse{});
+    return {sum.x, sum.y, sum.z};
   }
 
   std::size_t bytes() const {
@@ -111,12 +140,40 @@ class FlowBodies {
     };
     return of(m_points, m_chunks, m_surfaces, m_poses, m_placedX, m_placedY, m_placedZ, m_x, m_y, m_z) +
            of(m_extra, m_key, m_sortedKey, m_order, m_rowBins, m_binStart, m_rows, m_record) +
-           of(m_slot, m_list, m_rub, m_load, m_chunkSums);
+           of(m_slot, m_list, m_rub, m_gift, m_load, m_chunkSums);
   }
 
  private:
   template <class T>
   using Array = typename Backend::template Array<T>;
+
+  /// Impulses by the loads of boundary particles over `seconds`.
+  std::vector<RigidImpulse> summedLoads(Backend& backend, double seconds) {
+    std::vector<RigidImpulse> impulses(m_world.bodies().size());
+    backend.forEach("bodies", m_chunks.size(),
+                    SumLoadKernel{m_load.data(), m_chunks.data(), m_chunkSums.data()});
+    std::vector<BodyLoad> sums;
+    backend.download(m_chunkSums, sums);
+    for (std::size_t c = 0; c < sums.size(); ++c) {
+      RigidImpulse& to = impulses[m_chunkBodies[c].body];
+      to.linear += Vec3d{sums[c].fx, sums[c].fy, sums[c].fz} * seconds;
+      to.angular += Vec3d{sums[c].tx, sums[c].ty, sums[c].tz} * seconds;
+    }
+    return impulses;
+  }
+
+  /// Lets the guessed velocities of free bodies take impulses, and boundary particles those velocities.
+  void follow(Backend& backend, const FlowView& flow, const std::vector<RigidImpulse>& impulses) {
+    for (std::size_t k = 0; k < m_guess.size(); ++k) {
+      if (!m_free[k]) continue;
+      const RigidBodyConfig& body = m_world.bodies()[k];
+      m_guess[k].velocity += impulses[k].linear / body.mass();
+      m_guess[k].angularVelocity += spinOf(body, m_guess[k].orientation, impulses[k].angular);
+    }
+    backend.upload(bodyPoses(m_guess, flow, m_origin), m_poses);
+    backend.forEach("bodies", m_view.grid.count,
+                    BodyVelocityKernel{m_record.data(), m_points.data(), m_poses.data()});
+  }
 
   /// Rows and bins of the boundary particles near the flow.
   void sort(Backend& backend, const FlowView& flow, const FlowBounds& bounds) {
@@ -162,6 +219,7 @@ class FlowBodies {
     if (m_list.size() < m_listed) {
       m_list.resize(m_listed + m_listed / 8);
       m_rub.resize(m_list.size());
+      m_gift.resize(m_list.size());
     }
     backend.forEach("bodies", n,
                     ListNearKernel{m_slot.data(), static_cast<std::uint32_t>(n),
@@ -169,11 +227,15 @@ class FlowBodies {
     m_view.list = m_list.data();
     m_view.slot = m_slot.data();
     m_view.rub = m_rub.data();
+    m_view.gift = m_gift.data();
   }
 
   RigidWorld m_world;
   Vec3d m_origin{};
+  Vec3d m_gravity{};
   double m_volume = 0.0;
+  std::vector<RigidState> m_guess;  ///< while pressure is solved for
+  std::vector<bool> m_free;         ///< bodies that follow it
   BodyView m_view;
   std::uint64_t m_listed = 0;
   std::vector<BodyChunk> m_chunkBodies;
@@ -188,6 +250,7 @@ class FlowBodies {
   Array<FlowRow> m_rows;
   Array<BodyRecord> m_record;
   Array<BodyRub> m_rub;
+  Array<BodyGift> m_gift;
   Array<BodyLoad> m_load, m_chunkSums;
 };
 

@@ -8,6 +8,7 @@
 #include "core/physics/equation_of_state.h"
 #include "core/sph/flow_passes.h"
 #include "core/sph/row_search.h"
+#include "core/sph/wall_friction.h"
 
 /// The stages that go over single particles or rows, and the pair passes in their thread-per-particle form.
 namespace spin {
@@ -261,49 +262,9 @@ struct IntegrateKernel {
       velocity.x += kick * push * w.nx;
       velocity.y += kick * push * w.ny;
       velocity.z += kick * push * w.nz;
-      const float held = hold(w, c.material[v.extra[i].material].soundSpeed, velocity);
-      rub(w, s, maximum(kick * push, 0.0f) + held, r, velocity);
+      const float held = holdOff(v, i, w, velocity);
+      rubAlong(v, i, w, maximum(kick * push, 0.0f) + held, kick, velocity);
     });
-  }
-
-  /// No particle goes into a solid within the step, however little the pressure of a single one resists; one
-  /// that is inside comes out slowly. Gives what the speed along the normal gains by it.
-  SPIN_HD_INLINE float hold(const WallContact& w, float soundSpeed, PairVector<float>& velocity) const {
-    const FlowConstants& c = v.constants;
-    const float way = kClosestToWall * c.spacing - w.distance;
-    const float out = way > 0.0f ? minimum(0.2f * way / c.timeStep, 0.01f * soundSpeed) : way / c.timeStep;
-    const float normal = (velocity.x - w.vx) * w.nx + (velocity.y - w.vy) * w.ny + (velocity.z - w.vz) * w.nz;
-    const float more = maximum(out - normal, 0.0f);
-    velocity.x += more * w.nx;
-    velocity.y += more * w.ny;
-    velocity.z += more * w.nz;
-    return more;
-  }
-
-  /// `gain` is the speed along the normal that the wall gives, m/s: what Coulomb's friction goes by.
-  SPIN_HD_INLINE void rub(const WallContact& w, float s, float gain, const PairRecord& r,
-                          PairVector<float>& velocity) const {
-    const FlowConstants& c = v.constants;
-    const WallSurface& surface = v.walls.surface[w.surface];
-    if (surface.friction == WallFriction::FreeSlip) return;
-    const PairVector<float> relative{velocity.x - w.vx, velocity.y - w.vy, velocity.z - w.vz};
-    const float normal = relative.x * w.nx + relative.y * w.ny + relative.z * w.nz;
-    const PairVector<float> slide{relative.x - normal * w.nx, relative.y - normal * w.ny,
-                                  relative.z - normal * w.nz};
-    float keep = 1.0f;
-    if (surface.friction == WallFriction::NoSlip) {
-      // Implicit: stable at any step, and what sticks is carried along.
-      const float distance = maximum(w.distance, kLeastWallDistance * c.spacing);
-      keep = 1.0f / (1.0f + kick * wallDragRate(s, distance, r.viscosity / r.restDensity, c.support));
-    } else {
-      const float speed = squareRoot(slide.x * slide.x + slide.y * slide.y + slide.z * slide.z);
-      const float loss = surface.tangent * gain;
-      keep = speed > loss ? 1.0f - loss / speed : 0.0f;
-      keep /= 1.0f + kick * wallTurbulentRate(s, surface.turbulence * speed, c.support);
-    }
-    velocity.x -= (1.0f - keep) * slide.x;
-    velocity.y -= (1.0f - keep) * slide.y;
-    velocity.z -= (1.0f - keep) * slide.z;
   }
 
   /// Adds a displacement in m to a position and what it has below a unit; periodic axes wrap.
@@ -357,11 +318,6 @@ struct IntegrateKernel {
     PairRecord& r = v.record[i];
     const float wallRate = v.rate && (v.extra[i].flags & kNearWall) ? wallDensityRate(i) : 0.0f;
     const PairVector<float> velocity = newVelocity(i);
-    if (v.sampled) {
-      v.ax[i] = (velocity.x - r.vx) / kick;
-      v.ay[i] = (velocity.y - r.vy) / kick;
-      v.az[i] = (velocity.z - r.vz) / kick;
-    }
     r.vx = velocity.x;
     r.vy = velocity.y;
     r.vz = velocity.z;
@@ -392,6 +348,16 @@ struct ImpulseSum {
 struct AddImpulse {
   SPIN_HD ImpulseSum operator()(const ImpulseSum& a, const ImpulseSum& b) const {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+};
+struct MomentumOf {
+  FlowView v;
+  double volume;  ///< V0, m3
+  SPIN_HD ImpulseSum operator()(std::size_t i) const {
+    const PairRecord& r = v.record[i];
+    const double mass = volume * static_cast<double>(r.restDensity);
+    return {mass * static_cast<double>(r.vx), mass * static_cast<double>(r.vy),
+            mass * static_cast<double>(r.vz)};
   }
 };
 /// What gravity, wind and walls are about to give a particle.

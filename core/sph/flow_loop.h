@@ -13,7 +13,8 @@ struct FlowLoops {
   using Loop = void (*)(const FlowView& view, std::uint32_t begin, std::uint32_t end);
   Loop density = nullptr;
   Loop shear = nullptr;
-  Loop force[2][2] = {};  ///< [smooth][continuity]
+  Loop force[2][2] = {};          ///< [smooth][continuity]
+  Loop solve[kSolvePasses] = {};  ///< by SolvePass
 };
 
 /// The loops built for a set; the caller has asked cpuRuns().

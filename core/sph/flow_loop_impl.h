@@ -8,7 +8,9 @@
 #include "core/math/simd_pack.h"
 #include "core/sph/flow_loop.h"
 #include "core/sph/flow_passes.h"
+#include "core/sph/implicit_passes.h"
 #include "core/sph/row_search.h"
+#include "core/sph/viscous_passes.h"
 
 namespace spin::SPIN_ISA {
 namespace {
@@ -38,6 +40,7 @@ struct PackLanes {
     for (std::uint32_t l = 0; l < count; ++l) array[first + l] = lanes[l];
   }
   SPIN_HD_INLINE void unpack(Pack value, float* lanes) const { value.store(lanes); }
+  SPIN_HD_INLINE Pack pack(const float* lanes) const { return Pack::load(lanes); }
 };
 
 /// Candidates within reach of a group, in the group's frame and in support radii.
@@ -164,7 +167,9 @@ FlowLoops flowLoops() {
   return {run<DensityPass<PackLanes>>,
           run<ShearPass<PackLanes>>,
           {{run<ForcePass<PackLanes, false, false>>, run<ForcePass<PackLanes, false, true>>},
-           {run<ForcePass<PackLanes, true, false>>, run<ForcePass<PackLanes, true, true>>}}};
+           {run<ForcePass<PackLanes, true, false>>, run<ForcePass<PackLanes, true, true>>}},
+          {run<ConstraintPass<PackLanes>>, run<DivergencePass<PackLanes>>, run<PressurePushPass<PackLanes>>,
+           run<ViscousProductPass<PackLanes>>, run<StressPass<PackLanes>>}};
 }
 
 }  // namespace spin::SPIN_ISA

@@ -9,6 +9,7 @@
 /// pack of consecutive ones) and loads and stores their values:
 ///   Real                      number or pack
 ///   load(array), load(records, member), store(value, array), first, count
+///   unpack(value, lanes), pack(lanes)     to and from one float a lane
 /// A pass is made for the lanes, add()s every candidate in reach, and is written.
 namespace spin {
 
@@ -25,6 +26,7 @@ struct ScalarLanes {
   }
   SPIN_HD_INLINE void store(float value, float* array) const { array[first] = value; }
   SPIN_HD_INLINE void unpack(float value, float* lanes) const { lanes[0] = value; }
+  SPIN_HD_INLINE float pack(const float* lanes) const { return lanes[0]; }
 };
 
 /// Bare density sum into `excess`.
@@ -97,8 +99,15 @@ SPIN_HD_INLINE void finishShear(const FlowView& v, std::size_t i, GradientSums<f
   const float rate = shearRateOf(sums.g);
   const float e = 1.0f + v.excess[i];
   v.shearRate[i] = rate;
-  v.record[i].viscosity =
+  const float viscosity =
       apparentViscosity(c.material[v.extra[i].material].rheology, rate, v.record[i].pressureTerm * e * e);
+  v.record[i].viscosity = viscosity;
+  if (!v.stress) return;
+  // tau = 2 mu D, over the square of the relative density.
+  const float* g = sums.g;
+  const float twice = 2.0f * viscosity / (e * e), once = 0.5f * twice;
+  v.stress[i] = {twice * g[0],         twice * g[4],         twice * g[8],
+                 once * (g[1] + g[3]), once * (g[2] + g[6]), once * (g[5] + g[7])};
 }
 
 /// Velocity gradient, shear rate and viscosity. Others read velocities meanwhile, which it leaves alone.

@@ -178,9 +178,38 @@ bool toUnits(double metres, double support, std::int32_t end, bool periodic, std
 }  // namespace
 
 bool needsShearRate(const FlowConfig& config) {
+  // The stress form is made of the velocity gradient.
+  if (config.viscosity == ViscosityMode::Stress) return true;
   return std::any_of(config.materials.begin(), config.materials.end(),
                      [](const FlowMaterialConfig& m) { return m.rheology.needsShearRate(); });
 }
+
+bool mayNeedImplicitViscosity(const FlowConfig& c) {
+  if (c.viscosity != ViscosityMode::Auto) return c.viscosity == ViscosityMode::Implicit;
+  return std::any_of(c.materials.begin(), c.materials.end(), [&](const FlowMaterialConfig& m) {
+    if (m.rheology.needsShearRate() || c.pressure == PressureMode::Implicit) return true;
+    const double viscous =
+        c.viscousFactor * c.spacing * c.spacing * m.restDensity / static_cast<double>(m.rheology.viscosity);
+    return viscous < c.courant * c.spacing / m.soundSpeed;
+  });
+}
+
+namespace {
+
+Status checkSolves(const FlowConfig& c) {
+  if (!inRange(c.densityError, 1e-5, 0.1)) return badConfig("densityError", "allowed is 0.00001 to 0.1");
+  if (!inRange(c.viscosityError, 1e-6, 0.1)) return badConfig("viscosityError", "allowed is 0.000001 to 0.1");
+  if (c.mostIterations < 1 || c.mostIterations > 10000)
+    return badConfig("mostIterations", "allowed is 1 to 10000");
+  if (!inRange(c.courantFlow, 1e-3, 1.0)) return badConfig("courantFlow", "allowed is 0.001 to 1");
+  if (c.pressure == PressureMode::Implicit && c.density == DensityMode::Continuity)
+    return badConfig("density", "the implicit pressure takes the density by summation");
+  if (c.pressure == PressureMode::Implicit && c.leapFrog)
+    return badConfig("leapFrog", "the implicit pressure has its own order of velocity and position");
+  return {};
+}
+
+}  // namespace
 
 Status checkFlowConfig(const FlowConfig& c) {
   if (!inRange(c.spacing, 1e-6, 1e4)) return badConfig("spacing", "allowed is 0.000001 to 10000 m");
@@ -201,6 +230,7 @@ Status checkFlowConfig(const FlowConfig& c) {
     if (Status ok = checkAxis(c, axis); !ok) return ok;
   if (Status ok = checkBodies(c); !ok) return ok;
   if (Status ok = checkSinks(c.sinks); !ok) return ok;
+  if (Status ok = checkSolves(c); !ok) return ok;
   return checkWalls(c.walls);
 }
 

@@ -17,6 +17,9 @@ Status makeMeshFields(FlowConfig& config, int threads, const CancelToken& cancel
 FlowView flowView(const FlowConfig& config);
 /// Whether any material needs the shear rate.
 bool needsShearRate(const FlowConfig& config);
+/// Whether a step may take the implicit form of viscosity: asked for, or Auto and some material's viscosity
+/// can bind the step.
+bool mayNeedImplicitViscosity(const FlowConfig& config);
 
 /// Whether a solver of one configuration can go on with the other: see FlowSolver::reconfigure.
 Status checkReconfiguration(const FlowConfig& from, const FlowConfig& to);

@@ -65,8 +65,17 @@ enum class DensityMode : std::uint8_t { Summation, Continuity };
 /// How rows of cells follow each other in memory: z by z, or along a Z-curve within tiles of 8 x 8 rows.
 enum class CellOrder : std::uint8_t { Linear, Morton };
 
-/// The particle solver: weakly compressible SPH (density by summation, equation of state), half-space
-/// integrals at solids, generalised Newtonian viscosity, XSPH.
+/// From an equation of state (weakly compressible: steps are bound by the speed of sound), or solved for so
+/// that the density stays (DFSPH, Bender and Koschier 2015, 2017: steps are bound by how far particles go).
+enum class PressureMode : std::uint8_t { EquationOfState, Implicit };
+
+/// Pairwise and Stress act explicitly: steps are bound by the viscosity. Implicit solves for the velocity
+/// (pairwise form, conjugate gradients): stable at any step. Auto takes Implicit where viscosity would bind
+/// the step to less than half of what else binds it, else Pairwise.
+enum class ViscosityMode : std::uint8_t { Auto, Pairwise, Stress, Implicit };
+
+/// The particle solver: SPH with pressure by an equation of state or implicitly, half-space integrals at
+/// solids, generalised Newtonian viscosity, XSPH.
 struct FlowConfig {
   double spacing = 0.05;                         ///< distance of particles at rest, m; > 0
   double supportSpacings = 2.0;                  ///< support radius: 2 fast, 3 accurate; 1.5 to 4
@@ -86,6 +95,13 @@ struct FlowConfig {
   double forceFactor = 0.25;     ///< step <= factor sqrt(spacing / |a|)
   double viscousFactor = 0.125;  ///< step <= factor spacing^2 / nu
   CellOrder cellOrder = CellOrder::Linear;
+  PressureMode pressure = PressureMode::EquationOfState;
+  double densityError = 0.01;  ///< mean compression that the implicit pressure leaves: 1 % fast, 0.1 %
+                               ///< accurate; 1e-5 to 0.1
+  int mostIterations = 100;    ///< of each implicit solve; 1 to 10000
+  double courantFlow = 0.4;    ///< share of a spacing that the fastest goes in a step, implicit pressure
+  ViscosityMode viscosity = ViscosityMode::Pairwise;
+  double viscosityError = 1e-3;  ///< residual of the implicit viscosity, share of the velocities' norm
   FlowWallsConfig walls;
   std::vector<RigidBodyConfig> bodies;  ///< in the flow, and on the walls; world metres
   double bodyGroundFriction = 0.6;      ///< Coulomb's, of bodies on walls; with theirs the geometric mean
@@ -117,11 +133,25 @@ struct FlowSample {
   int neighbours = -1;       ///< within the support; -1 unless the latest step was sampled
 };
 
-enum class StepLimit : std::uint8_t { Asked, Sound, Force, Viscous };
+/// Flow: how far the fastest particle goes; with the implicit pressure it stands for Sound.
+enum class StepLimit : std::uint8_t { Asked, Sound, Force, Viscous, Flow };
+
+/// How an implicit solve went.
+struct FlowSolve {
+  int iterations = 0;
+  double error = 0.0;    ///< what was left: mean compression by this step, or share of the velocities' norm
+  double largest = 0.0;  ///< the same of the worst particle; 0 for viscosity
+  bool reached = true;   ///< false: the limit of iterations came first
+};
 
 struct FlowStep {
   double seconds = 0.0;
   StepLimit limit = StepLimit::Asked;
+  FlowSolve pressure;               ///< implicit pressure only
+  double compression = 0.0;         ///< implicit pressure only: mean of max(rho / rho0 - 1, 0) at the start
+  double largestCompression = 0.0;  ///< the same of the worst particle
+  FlowSolve viscous;                ///< implicit viscosity only
+  ViscosityMode viscosity = ViscosityMode::Pairwise;  ///< the form that was used, never Auto
 };
 
 /// Particles that are no longer there, by material.

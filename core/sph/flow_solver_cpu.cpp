@@ -17,6 +17,9 @@ struct FlowPasses<CpuBackend> {
   void force(CpuBackend& backend, const FlowView& view) {
     run(backend, "force", view, loops.force[view.sx ? 1 : 0][view.rate ? 1 : 0]);
   }
+  void solve(CpuBackend& backend, const char* name, const FlowView& view, SolvePass pass) {
+    run(backend, name, view, loops.solve[static_cast<std::size_t>(pass)]);
+  }
 
  private:
   static void run(CpuBackend& backend, const char* name, const FlowView& view, FlowLoops::Loop loop) {

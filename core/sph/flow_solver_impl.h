@@ -13,8 +13,11 @@
 
 #include "core/sph/flow_bodies.h"
 #include "core/sph/flow_kernels.h"
+#include "core/sph/flow_sampler.h"
 #include "core/sph/flow_setup.h"
 #include "core/sph/flow_state.h"
+#include "core/sph/implicit_pressure.h"
+#include "core/sph/implicit_viscosity.h"
 #include "core/sph/mesh_walls.h"
 
 namespace spin {
@@ -38,6 +41,20 @@ struct FlowPasses {
       backend.forEach("force", view.count, PairKernel<ContinuityForcePass>{view});
     else
       backend.forEach("force", view.count, PairKernel<PlainForcePass>{view});
+  }
+  void solve(Backend& backend, const char* name, const FlowView& view, SolvePass pass) {
+    switch (pass) {
+      case SolvePass::Constraint:
+        return backend.forEach(name, view.count, PairKernel<ConstraintPass>{view});
+      case SolvePass::Divergence:
+        return backend.forEach(name, view.count, PairKernel<DivergencePass>{view});
+      case SolvePass::PressurePush:
+        return backend.forEach(name, view.count, PairKernel<PressurePushPass>{view});
+      case SolvePass::ViscousProduct:
+        return backend.forEach(name, view.count, PairKernel<ViscousProductPass>{view});
+      case SolvePass::Stress:
+        return backend.forEach(name, view.count, PairKernel<StressPass>{view});
+    }
   }
 };
 
@@ -93,6 +110,7 @@ class FlowSolverOn final : public FlowSolver {
     m_config = config;
     m_config.walls = std::move(walls);
     m_view.constants = fresh.constants;
+    m_viscousFactor = fresh.constants.viscousFactor;
     m_view.walls = fresh.walls;
     m_view.sinks = fresh.sinks;
     m_meshes.point(m_view.walls);
@@ -111,7 +129,8 @@ class FlowSolverOn final : public FlowSolver {
   Result<FlowStep> step(double most) override {
     if (!(most > 0.0) || !std::isfinite(most))
       return badInput(kStopped, "time step", "a step of " + std::to_string(most) + " s");
-    FlowStep done{most, StepLimit::Asked};
+    FlowStep done;
+    done.seconds = most;
     const Status status =
         guarded([&] { return m_view.count == 0 ? m_bodies.move(most, {}) : stepParticles(done); });
     if (!status) return status.error();
@@ -126,7 +145,7 @@ class FlowSolverOn final : public FlowSolver {
     m_backend.download(m_ay, ay);
     m_backend.download(m_az, az);
     std::vector<std::uint32_t> neighbours;
-    if (m_view.sampled) m_backend.download(m_neighbours, neighbours);
+    m_sampler.download(m_backend, neighbours);
     std::vector<FlowSample> result;
     result.reserve(state.size());
     for (std::size_t i = 0; i < state.size(); ++i) {
@@ -159,8 +178,8 @@ class FlowSolverOn final : public FlowSolver {
               m_otherExcess, m_rate, m_ax, m_ay, m_az) +
            of(m_sx, m_sy, m_sz, m_shear, m_id, m_otherId, m_key, m_otherKey, m_order, m_rows, m_rowBins,
               m_binStart) +
-           of(m_ground, m_groundSurfaces, m_neighbours) + m_meshes.bytes() + m_bodies.bytes() +
-           m_backend.scratchBytes();
+           of(m_ground, m_groundSurfaces, m_stress, m_bodyRate) + m_sampler.bytes() + m_meshes.bytes() +
+           m_bodies.bytes() + m_pressure.bytes() + m_viscosity.bytes() + m_backend.scratchBytes();
   }
 
  private:
@@ -169,6 +188,10 @@ class FlowSolverOn final : public FlowSolver {
   static constexpr const char* kStopped = "The particle solver stopped";
   /// Rows of cells round all particles, at most.
   static constexpr double kMostRows = 67108864.0;
+  /// Auto: viscosity is implicit where its explicit step is below this share of the others.
+  static constexpr double kImplicitBelow = 0.5;
+  /// Implicit pressure: share of forceFactor that binds the step. Columns at rest stay quiet below it.
+  static constexpr double kImplicitForce = 0.4;
 
   /// Memory that is not there and a device that fails are the world's fault, not a bug.
   template <class Body>
@@ -214,7 +237,7 @@ class FlowSolverOn final : public FlowSolver {
     m_backend.upload(state.ids, m_id);
     m_backend.upload(state.excess, m_excess);
     m_view.count = static_cast<std::uint32_t>(n);
-    m_view.sampled = false;
+    m_sampler.forget();
     allocate(n);
     point();
   }
@@ -238,6 +261,10 @@ class FlowSolverOn final : public FlowSolver {
     if (m_config.smoothing > 0.0)
       for (Array<float>* array : {&m_sx, &m_sy, &m_sz}) array->resize(padded);
     if (needsShearRate(m_config)) m_shear.resize(padded);
+    if (m_config.viscosity == ViscosityMode::Stress) m_stress.resize(padded);
+    if (m_config.pressure == PressureMode::Implicit) m_pressure.allocate(padded);
+    if (implicitPressure() && m_bodies.any()) m_bodyRate.resize(padded);
+    if (mayNeedImplicitViscosity(m_config)) m_viscosity.allocate(padded);
     m_otherExtra.resize(padded);
     m_otherId.resize(padded);
     m_otherKey.resize(padded);
@@ -260,6 +287,10 @@ class FlowSolverOn final : public FlowSolver {
     m_view.sy = smooth ? m_sy.data() : nullptr;
     m_view.sz = smooth ? m_sz.data() : nullptr;
     m_view.shearRate = needsShearRate(m_config) ? m_shear.data() : nullptr;
+    m_view.stress = m_config.viscosity == ViscosityMode::Stress ? m_stress.data() : nullptr;
+    m_view.bodyRate = implicitPressure() && m_bodies.any() ? m_bodyRate.data() : nullptr;
+    m_pressure.point(m_config, m_view);
+    m_viscosity.point(m_view);
     m_view.extra = m_extra.data();
     m_view.id = m_id.data();
     m_view.key = m_key.data();
@@ -273,63 +304,174 @@ class FlowSolverOn final : public FlowSolver {
   Status stepParticles(FlowStep& done) {
     if (Status ok = sortIntoCells(); !ok || m_view.count == 0) return ok;
     m_bodies.place(m_backend, m_view);
+    m_sampler.begin(m_backend, m_view, m_sampling);
+    if (Status ok = implicitPressure() ? stepByPressureSolve(done) : stepByState(done); !ok) return ok;
+    m_sampler.end(m_backend, m_view, m_kick);
+    return {};
+  }
+
+  bool implicitPressure() const { return m_config.pressure == PressureMode::Implicit; }
+
+  Status stepByState(FlowStep& done) {
     if (!m_view.rate) {
       m_passes.density(m_backend, m_view);
       m_bodies.density(m_backend, m_view);
     }
     m_backend.forEach("pressure", m_view.count, PressureKernel{m_view});
     if (m_view.shearRate) m_passes.shear(m_backend, m_view);
-    m_passes.force(m_backend, m_view);
-    if (m_view.rate) m_bodies.rate(m_backend, m_view);
-    m_bodies.pressure(m_backend, m_view);
-    const StepLimits limits = m_backend.reduce(
-        "step", m_view.count, noLimits(),
-        LimitsOf{m_view, static_cast<float>(m_config.courant), static_cast<float>(m_config.forceFactor),
-                 static_cast<float>(m_config.viscousFactor)},
-        JoinLimits{});
+    const bool solves = chooseViscosity(done);
+    force();
+    const StepLimits limits = m_backend.reduce("step", m_view.count, noLimits(), limitsOf(), JoinLimits{});
     if (limits.broken != UINT32_MAX) return notFinite(limits.broken, "force");
-    chooseStep(limits, done);
+    chooseStep(limits, solves, done);
     m_view.constants.timeStep = static_cast<float>(done.seconds);
     const double kick = m_config.leapFrog ? 0.5 * (m_lastStep + done.seconds) : done.seconds;
     m_lastStep = done.seconds;
-    m_view.sampled = m_sampling;
-    if (m_sampling) countNeighbours();
-    const IntegrateKernel integrate{m_view, static_cast<float>(kick)};
-    const std::vector<RigidImpulse> impulses = actOnBodies(kick);
-    if (m_config.countImpulse) countImpulse(integrate);
-    m_backend.forEach("integrate", m_view.count, integrate);
-    const Status moved = m_bodies.move(done.seconds, impulses);
+    m_kick = kick;
+    m_bodies.rub(m_backend, m_view, kick);
+    const std::vector<RigidImpulse> impulses = m_bodies.reaction(m_backend, m_view, kick);
+    if (!solves) {
+      const IntegrateKernel integrate{m_view, static_cast<float>(kick)};
+      if (m_config.countImpulse) countImpulse(integrate);
+      m_backend.forEach("integrate", m_view.count, integrate);
+      return moveBodies(done.seconds, impulses);
+    }
+    const Vec3d before = m_config.countImpulse ? momentum() : Vec3d{};
+    m_backend.forEach("integrate", m_view.count,
+                      PredictKernel{m_view, static_cast<float>(kick), false, true});
+    if (Status ok = solveViscosity(kick, done); !ok) return ok;
+    m_backend.forEach("integrate", m_view.count, WallEndKernel{m_view, false});
+    if (m_config.countImpulse) m_outer += momentum() - before - m_bodies.given(m_backend, m_view) * kick;
+    m_backend.forEach("integrate", m_view.count, AdvanceKernel{m_view});
+    return moveBodies(done.seconds, impulses);
+  }
+
+  Status moveBodies(double seconds, const std::vector<RigidImpulse>& impulses) {
+    const Status moved = m_bodies.move(seconds, impulses);
     if (m_config.countImpulse && m_bodies.any()) m_outer += m_bodies.world().outerImpulse();
     return moved;
   }
 
-  /// Friction of bodies on the flow, then all that the flow does to them.
-  std::vector<RigidImpulse> actOnBodies(double kick) {
-    if (!m_bodies.any()) return {};
-    m_bodies.rub(m_backend, m_view, kick);
-    return m_bodies.reaction(m_backend, m_view, kick);
+  /// Of all particles, kg m/s.
+  Vec3d momentum() {
+    const ImpulseSum sum = m_backend.reduce("impulse", m_view.count, ImpulseSum{0, 0, 0},
+                                            MomentumOf{m_view, particleVolume()}, AddImpulse{});
+    return {sum.x, sum.y, sum.z};
   }
+  double particleVolume() const { return m_config.spacing * m_config.spacing * m_config.spacing; }
 
   void countImpulse(const IntegrateKernel& integrate) {
-    const double volume = m_config.spacing * m_config.spacing * m_config.spacing;
     const ImpulseSum sum = m_backend.reduce("impulse", m_view.count, ImpulseSum{0, 0, 0},
-                                            OuterImpulseOf{integrate, volume}, AddImpulse{});
+                                            OuterImpulseOf{integrate, particleVolume()}, AddImpulse{});
     m_outer += Vec3d{sum.x, sum.y, sum.z};
   }
 
-  void countNeighbours() {
-    if (m_neighbours.size() < m_view.count) m_neighbours.resize(m_view.count);
-    m_view.neighbours = m_neighbours.data();
-    m_backend.forEach("neighbours", m_view.count, NeighbourKernel{m_view});
+  /// All forces with the pressure of the step before, then the pressure's change.
+  Status stepByPressureSolve(FlowStep& done) {
+    m_passes.solve(m_backend, "density", m_view, SolvePass::Constraint);
+    m_bodies.constraint(m_backend, m_view);
+    m_backend.forEach("pressure", m_view.count, ConstraintKernel{m_view});
+    if (m_view.shearRate) m_passes.shear(m_backend, m_view);
+    FlowLimits limits =
+        m_backend.reduce("step", m_view.count, noFlowLimits(), flowLimitsOf(), JoinFlowLimits{});
+    if (limits.step.broken != UINT32_MAX) return notFinite(limits.step.broken, "density");
+    done.compression = limits.excess / m_view.count;
+    done.largestCompression = static_cast<double>(limits.largest);
+    if (const double gravity = length(m_config.gravity); gravity > 0.0)
+      limits.step.force =
+          static_cast<float>(kImplicitForce * m_config.forceFactor * std::sqrt(m_config.spacing / gravity));
+    const bool solves = chooseViscosity(limits.step, done);
+    chooseStep(limits.step, solves, done);
+    m_kick = m_lastStep = done.seconds;
+    const auto kick = static_cast<float>(done.seconds);
+    m_view.constants.timeStep = kick;
+    m_view.pressureSolve.timeStep = kick;
+    force();
+    m_bodies.rub(m_backend, m_view, done.seconds);
+    const Vec3d before = m_config.countImpulse ? momentum() : Vec3d{};
+    m_bodies.beginSolve(m_backend, m_view, done.seconds);
+    m_backend.forEach("integrate", m_view.count, PredictKernel{m_view, kick, true, solves});
+    if (solves)
+      if (Status ok = solveViscosity(done.seconds, done); !ok) return ok;
+    WithBodies passes{m_passes, m_bodies};
+    const std::uint32_t broken =
+        m_pressure.solve(m_backend, passes, m_config, m_view, done.compression, done.pressure);
+    if (broken != UINT32_MAX) return notFinite(broken, "pressure solve");
+    m_backend.forEach("integrate", m_view.count, WallEndKernel{m_view, !solves});
+    if (m_config.countImpulse)
+      m_outer += momentum() - before - m_bodies.given(m_backend, m_view) * done.seconds;
+    const std::vector<RigidImpulse> impulses = m_bodies.reaction(m_backend, m_view, done.seconds);
+    m_backend.forEach("integrate", m_view.count, AdvanceKernel{m_view});
+    return moveBodies(done.seconds, impulses);
   }
 
-  static void chooseStep(const StepLimits& limits, FlowStep& done) {
+  /// The solve's passes, with what bodies have to do with them.
+  struct WithBodies {
+    FlowPasses<Backend>& passes;
+    FlowBodies<Backend>& bodies;
+    void solve(Backend& backend, const char* stage, const FlowView& view, SolvePass pass) {
+      if (pass == SolvePass::Divergence) bodies.divergence(backend, view);
+      passes.solve(backend, stage, view, pass);
+      if (pass == SolvePass::PressurePush) bodies.push(backend, view);
+    }
+  };
+
+  void force() {
+    m_passes.force(m_backend, m_view);
+    if (m_view.stress) m_passes.solve(m_backend, "stress", m_view, SolvePass::Stress);
+    if (m_view.rate) m_bodies.rate(m_backend, m_view);
+    m_bodies.pressure(m_backend, m_view);
+  }
+
+  Status solveViscosity(double kick, FlowStep& done) {
+    const std::uint32_t broken = m_viscosity.solve(m_backend, m_passes, m_config, m_view, kick, done.viscous);
+    if (broken != UINT32_MAX) return notFinite(broken, "viscosity solve");
+    return {};
+  }
+
+  LimitsOf limitsOf() const {
+    return {m_view, static_cast<float>(m_config.courant), static_cast<float>(m_config.forceFactor),
+            static_cast<float>(m_config.viscousFactor)};
+  }
+  FlowLimitsOf flowLimitsOf() const {
+    return {m_view, static_cast<float>(m_config.courantFlow), static_cast<float>(m_config.viscousFactor)};
+  }
+
+  /// Which form of viscosity this step takes; whether it is the implicit one. Pairs drag in the force pass
+  /// only in the pairwise form.
+  bool chooseViscosity(FlowStep& done) {
+    // Accelerations are not there yet: sound is what else binds the step.
+    StepLimits limits = noLimits();
+    if (m_config.viscosity == ViscosityMode::Auto && mayNeedImplicitViscosity(m_config)) {
+      m_backend.forEach("step", m_view.count, ClearAccelerationKernel{m_view});
+      limits = m_backend.reduce("step", m_view.count, noLimits(), limitsOf(), JoinLimits{});
+      limits.force = INFINITY;
+    }
+    return chooseViscosity(limits, done);
+  }
+  bool chooseViscosity(const StepLimits& limits, FlowStep& done) {
+    done.viscosity = m_config.viscosity;
+    if (m_config.viscosity == ViscosityMode::Auto) {
+      const double others =
+          std::min({static_cast<double>(limits.sound), static_cast<double>(limits.force), done.seconds});
+      done.viscosity = static_cast<double>(limits.viscous) < kImplicitBelow * others
+                           ? ViscosityMode::Implicit
+                           : ViscosityMode::Pairwise;
+    }
+    const bool pairwise = done.viscosity == ViscosityMode::Pairwise;
+    m_view.constants.viscousFactor = pairwise ? m_viscousFactor : 0.0f;
+    return done.viscosity == ViscosityMode::Implicit;
+  }
+
+  void chooseStep(const StepLimits& limits, bool solvesViscosity, FlowStep& done) const {
     const auto limit = [&](float seconds, StepLimit kind) {
-      if (static_cast<double>(seconds) < done.seconds) done = {static_cast<double>(seconds), kind};
+      if (static_cast<double>(seconds) >= done.seconds) return;
+      done.seconds = static_cast<double>(seconds);
+      done.limit = kind;
     };
-    limit(limits.sound, StepLimit::Sound);
+    limit(limits.sound, implicitPressure() ? StepLimit::Flow : StepLimit::Sound);
     limit(limits.force, StepLimit::Force);
-    limit(limits.viscous, StepLimit::Viscous);
+    if (!solvesViscosity) limit(limits.viscous, StepLimit::Viscous);
   }
 
   /// Rows round all that lives, each as long as its particles; a bin's number is the sort key.
@@ -378,11 +520,12 @@ class FlowSolverOn final : public FlowSolver {
     m_backend.sortByKey("sort", m_key, bins + 1, m_order);
     // The dead are last in the order, and stay behind.
     m_view.count = alive;
+    // What the density makes anew needs no place in the sorted set: the pressure is carried there.
+    if (implicitPressure()) m_backend.forEach("gather", n, KeepPressureKernel{m_view});
     m_backend.forEach(
         "gather", alive,
         GatherKernel{m_view, m_order.data(), m_otherX.data(), m_otherY.data(), m_otherZ.data(),
                      m_otherExtra.data(), m_otherId.data(), m_otherKey.data(), m_otherExcess.data()});
-    m_backend.forEach("gather", alive, TakeVelocityKernel{m_view});
     std::swap(m_x, m_otherX);
     std::swap(m_y, m_otherY);
     std::swap(m_z, m_otherZ);
@@ -390,6 +533,10 @@ class FlowSolverOn final : public FlowSolver {
     std::swap(m_id, m_otherId);
     std::swap(m_excess, m_otherExcess);
     point();
+    if (implicitPressure())
+      m_backend.forEach("gather", alive, TakeStateKernel{m_view});
+    else
+      m_backend.forEach("gather", alive, TakeVelocityKernel{m_view});
     FlowView sorted = m_view;
     sorted.key = m_otherKey.data();
     m_backend.forEach("cells", static_cast<std::size_t>(alive) + 1, BinStartKernel{sorted, bins});
@@ -405,6 +552,11 @@ class FlowSolverOn final : public FlowSolver {
   Vec3d m_outer{};      ///< N s
   FlowLosses m_losses;  ///< those dropped from the arrays
   bool m_sampling = false;
+  FlowSampler<Backend> m_sampler;
+  float m_viscousFactor = m_view.constants.viscousFactor;
+  ImplicitPressure<Backend> m_pressure;
+  ImplicitViscosity<Backend> m_viscosity;
+  double m_kick = 0.0;      ///< s, by which the latest step advanced velocities
   double m_lastStep = 0.0;  ///< 0 before the first: the leap-frog's first kick is half a step
   Array<std::int32_t> m_x, m_y, m_z, m_otherX, m_otherY, m_otherZ;
   Array<PairRecord> m_record;
@@ -413,7 +565,9 @@ class FlowSolverOn final : public FlowSolver {
   Array<std::uint8_t> m_groundSurfaces;
   MeshWalls<Backend> m_meshes;
   FlowBodies<Backend> m_bodies;
-  Array<std::uint32_t> m_id, m_otherId, m_key, m_otherKey, m_order, m_rowBins, m_binStart, m_neighbours;
+  Array<float> m_bodyRate;
+  Array<StressRecord> m_stress;
+  Array<std::uint32_t> m_id, m_otherId, m_key, m_otherKey, m_order, m_rowBins, m_binStart;
   Array<FlowRow> m_rows;
 };
 

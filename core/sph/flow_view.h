@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/physics/rheology.h"
+#include "core/sph/implicit_view.h"
 #include "core/sph/sink_view.h"
 #include "core/sph/wall_view.h"
 
@@ -134,6 +135,7 @@ struct FlowView {
   float *ax = nullptr, *ay = nullptr, *az = nullptr;  ///< acceleration by neighbours, m/s2
   float *sx = nullptr, *sy = nullptr, *sz = nullptr;  ///< XSPH's change of velocity, m/s; null = off
   float* shearRate = nullptr;                         ///< 1/s; null where no material needs it
+  float* bodyRate = nullptr;  ///< rate of the excess by bodies in an implicit solve, 1/s; null without bodies
   ParticleExtra* extra = nullptr;
   std::uint32_t* id = nullptr;
   std::uint32_t* key = nullptr;
@@ -144,8 +146,10 @@ struct FlowView {
   FlowConstants constants;
   WallView walls;
   SinkView sinks;
-  bool sampled = false;                 ///< the acceleration of all that acted goes into ax, ay, az
   std::uint32_t* neighbours = nullptr;  ///< within the support; null unless sampled
+  StressRecord* stress = nullptr;       ///< null = viscosity is pairwise
+  PressureSolveView pressureSolve;
+  ViscousSolveView viscousSolve;
 };
 
 }  // namespace spin

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/sph/body_kernels.h"
+
+/// Bodies in the implicit pressure (implicit_passes.h): their boundary particles take part as walls do, and
+/// free bodies follow the iterates' pushes, else a body lighter than the flow would swing.
+namespace spin {
+
+/// Adds bodies to density and gradient sums; the gradient lies in the acceleration arrays.
+struct BodyConstraintKernel {
+  FlowView v;
+  BodyView b;
+  SPIN_HD void operator()(std::size_t k) const {
+    const std::uint32_t i = b.list[k];
+    float sum = 0.0f;
+    PairVector<float> gradient{0.0f, 0.0f, 0.0f};
+    forBoundaryNear(v, b.grid, i, [&](const PairVector<float>& d, std::uint32_t j) {
+      const float volume = b.record[j].volume, slope = volume * CubicSpline::slopeOverQ(distanceOf(d));
+      sum += volume * densityTerm(d);
+      gradient.x += slope * d.x;
+      gradient.y += slope * d.y;
+      gradient.z += slope * d.z;
+    });
+    const float scale = -v.constants.gradientFactor;
+    v.excess[i] += sum;
+    v.ax[i] += scale * gradient.x;
+    v.ay[i] += scale * gradient.y;
+    v.az[i] += scale * gradient.z;
+  }
+};
+
+struct ClearBodyRateKernel {
+  FlowView v;
+  SPIN_HD void operator()(std::size_t i) const { v.bodyRate[i] = 0.0f; }
+};
+
+/// Rate of the excess by bodies with the velocities of now.
+struct BodyDivergenceKernel {
+  FlowView v;
+  BodyView b;
+  SPIN_HD void operator()(std::size_t k) const {
+    const std::uint32_t i = b.list[k];
+    const PairRecord& r = v.record[i];
+    float sum = 0.0f;
+    forBoundaryNear(v, b.grid, i, [&](const PairVector<float>& d, std::uint32_t j) {
+      const BodyRecord& w = b.record[j];
+      const float approach = (r.vx - w.vx) * d.x + (r.vy - w.vy) * d.y + (r.vz - w.vz) * d.z;
+      sum -= w.volume * CubicSpline::slopeOverQ(distanceOf(d)) * approach;
+    });
+    v.bodyRate[i] = v.constants.gradientFactor * sum;
+  }
+};
+
+/// What an iterate's push does to flow particles near bodies.
+struct BodySolvePushKernel {
+  FlowView v;
+  BodyView b;
+  SPIN_HD void operator()(std::size_t k) const {
+    const std::uint32_t i = b.list[k];
+    PairRecord& r = v.record[i];
+    PairVector<float> sum{0.0f, 0.0f, 0.0f};
+    const float push = v.pressureSolve.push[i];
+    forBoundaryNear(v, b.grid, i, [&](const PairVector<float>& d, std::uint32_t j) {
+      const float scale =
+          b.record[j].volume * bodyForceScale(v.constants, push, CubicSpline::slopeOverQ(distanceOf(d)));
+      sum.x += scale * d.x;
+      sum.y += scale * d.y;
+      sum.z += scale * d.z;
+    });
+    const float perMass = 1.0f / r.restDensity, seconds = v.pressureSolve.timeStep;
+    const PairVector<float> a{perMass * sum.x, perMass * sum.y, perMass * sum.z};
+    r.vx += seconds * a.x;
+    r.vy += seconds * a.y;
+    r.vz += seconds * a.z;
+    v.ax[i] += a.x;
+    v.ay[i] += a.y;
+    v.az[i] += a.z;
+    BodyGift& gift = b.gift[k];
+    gift = {gift.x + a.x, gift.y + a.y, gift.z + a.z};
+  }
+};
+
+/// And to boundary particles.
+struct BodySolveLoadKernel {
+  FlowView v;
+  BodyView b;
+  BodyLoad* load;
+  double volume;  ///< V0, m3
+  SPIN_HD void operator()(std::size_t n) const {
+    const BodyRecord& w = b.record[n];
+    BodyLoad sum{0, 0, 0, 0, 0, 0};
+    forBoundaryNear(b.grid, v, n, [&](const PairVector<float>& d, std::uint32_t i) {
+      const float slope = CubicSpline::slopeOverQ(distanceOf(d));
+      const double scale =
+          volume *
+          static_cast<double>(w.volume * bodyForceScale(v.constants, v.pressureSolve.push[i], slope));
+      BodyReactionKernel::add(sum, scale * static_cast<double>(d.x), scale * static_cast<double>(d.y),
+                              scale * static_cast<double>(d.z), static_cast<double>(w.armX),
+                              static_cast<double>(w.armY), static_cast<double>(w.armZ));
+    });
+    load[w.point] = sum;
+  }
+};
+
+/// Boundary particles take their bodies' velocities anew; the places stay.
+struct BodyVelocityKernel {
+  BodyRecord* record;
+  const BodyPoint* points;
+  const BodyPose* poses;
+  SPIN_HD void operator()(std::size_t n) const {
+    BodyRecord& w = record[n];
+    const BodyPose& pose = poses[points[w.point].body];
+    w.vx = pose.vx + pose.wy * w.armZ - pose.wz * w.armY;
+    w.vy = pose.vy + pose.wz * w.armX - pose.wx * w.armZ;
+    w.vz = pose.vz + pose.wx * w.armY - pose.wy * w.armX;
+  }
+};
+
+/// Sum over the list of what bodies gave, kg m/s2.
+struct BodyGiftOf {
+  FlowView v;
+  BodyView b;
+  double volume;  ///< V0, m3
+  SPIN_HD ImpulseSum operator()(std::size_t k) const {
+    const double mass = volume * static_cast<double>(v.record[b.list[k]].restDensity);
+    const BodyGift& g = b.gift[k];
+    return {mass * static_cast<double>(g.x), mass * static_cast<double>(g.y),
+            mass * static_cast<double>(g.z)};
+  }
+};
+
+}  // namespace spin
