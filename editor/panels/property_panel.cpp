@@ -67,7 +67,8 @@ void PropertyPanel::showNode(const std::string& id) {
     auto* body = new QPushButton(tr("Make rigid body"), page);
     body->setObjectName(QStringLiteral("makeRigidBody"));
     body->setToolTip(tr("Make this model solid for avalanches and water, or show the body that does so"));
-    connect(body, &QPushButton::clicked, this, [this] { Q_EMIT bodyWanted(m_node); });
+    // A copy: what answers selects another node.
+    connect(body, &QPushButton::clicked, this, [this] { Q_EMIT bodyWanted(std::string(m_node)); });
     layout->addWidget(body);
   }
   layout->addStretch(1);

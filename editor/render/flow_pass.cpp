@@ -341,6 +341,7 @@ void FlowPass::drawDust() const {
                      1.0f / static_cast<float>(m_targets.width), 1.0f / static_cast<float>(m_targets.height));
   m_cloudProgram.set("uFlow", static_cast<float>(m_spacing), 0.0f, 0.0f, 0.0f);
   glBindTextureUnit(7, m_targets.dust.id());
+  glBindTextureUnit(9, m_targets.smooth[1].id());
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   glDepthMask(GL_FALSE);
   drawScreen();

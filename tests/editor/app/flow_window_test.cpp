@@ -44,7 +44,9 @@ struct Fixture {
     const auto added = edit::addAssetNode(document(), type, file.fileName());
     return added.ok() ? *added : std::string();
   }
-  const SimulationNode& film() { return *document().scene().firstOf(kSimulationType)->as<SimulationNode>(); }
+  const SimulationNode& film() {
+    return test::dataOf<SimulationNode>(document().scene().firstOf(kSimulationType));
+  }
   QTemporaryDir folder;
   MainWindow window;
 };
@@ -118,7 +120,7 @@ class FlowWindowTest : public QObject {
     Q_EMIT view.outlineWanted({10, 20});
     QCOMPARE(f.document().undoStack()->index(), before + 1);
     const std::string id = f.document().selected();
-    const auto outline = [&] { return f.document().node(id)->as<AvalancheReleaseNode>()->outline; };
+    const auto outline = [&] { return test::dataOf<AvalancheReleaseNode>(f.document().node(id)).outline; };
     QCOMPARE(outline().size(), std::size_t{1});
     Q_EMIT view.editStarted();
     for (const double x : {30.0, 31.0, 32.0})
@@ -146,10 +148,14 @@ class FlowWindowTest : public QObject {
     }
     Q_EMIT view.editFinished();
     QCOMPARE(f.document().undoStack()->index(), before + 1);
-    QVERIFY(std::get<TiledRaster<std::uint8_t>>(f.document().node(*added)->painted) == layer);
+    const auto painted = [&] {
+      const SceneNode* node = f.document().node(*added);
+      return node && std::holds_alternative<TiledRaster<std::uint8_t>>(node->painted) &&
+             std::get<TiledRaster<std::uint8_t>>(node->painted) == layer;
+    };
+    QVERIFY(painted());
     f.action("editUndo")->trigger();
-    QVERIFY(!std::holds_alternative<TiledRaster<std::uint8_t>>(f.document().node(*added)->painted) ||
-            !(std::get<TiledRaster<std::uint8_t>>(f.document().node(*added)->painted) == layer));
+    QVERIFY(!painted());
   }
 
   /// The brush's list follows the selection.
@@ -159,11 +165,11 @@ class FlowWindowTest : public QObject {
     f.action("toolBrush")->trigger();
     auto* types = f.window.findChild<QComboBox*>(QStringLiteral("brushType"));
     auto* area = f.window.findChild<QComboBox*>(QStringLiteral("brushArea"));
-    QVERIFY(types->isVisible());
+    QTRY_VERIFY(types->isVisible());
     QVERIFY(!area->isVisible());
     QVERIFY(f.window.tools().addNode(kAvalancheReleaseType, QStringLiteral("Slab")).ok());
-    QVERIFY(!types->isVisible());
-    QVERIFY(area->isVisible());
+    QTRY_VERIFY(!types->isVisible());
+    QTRY_VERIFY(area->isVisible());
     area->setCurrentIndex(1);
     QVERIFY(f.window.viewport().brush().rubsOut());
   }
@@ -176,8 +182,7 @@ class FlowWindowTest : public QObject {
     QVERIFY(button);
     button->click();
     const std::string body = f.document().selected();
-    QVERIFY(f.document().node(body)->as<RigidBodyNode>());
-    QCOMPARE(f.document().node(body)->as<RigidBodyNode>()->model, model);
+    QCOMPARE(test::dataOf<RigidBodyNode>(f.document().node(body)).model, model);
     const std::size_t nodes = f.document().scene().nodes().size();
     f.document().select(model);
     f.window.findChild<QPushButton*>(QStringLiteral("makeRigidBody"))->click();
@@ -190,7 +195,9 @@ class FlowWindowTest : public QObject {
     Fixture f;
     QVERIFY(f.action("flow_material")->isChecked());
     f.action("flow_speed")->trigger();
-    const auto settings = [&] { return *f.document().scene().firstOf(kRenderType)->as<RenderNode>(); };
+    const auto settings = [&]() -> const RenderNode& {
+      return test::dataOf<RenderNode>(f.document().scene().firstOf(kRenderType));
+    };
     QVERIFY(settings().flowDisplay == FlowDisplay::Speed);
     f.action("flowBoundary")->trigger();
     QVERIFY(settings().showFlowBoundary);
@@ -209,6 +216,7 @@ class FlowWindowTest : public QObject {
     hold->trigger();
     const auto heldAt = [&](int frame) {
       const SceneNode* node = f.document().scene().firstOf(kSimulationType);
+      SPIN_CHECK(node, "the settings are there");
       return std::get<bool>(valueAt(*node, *node->type->find("pause_flow"), frame / f.film().frameRate));
     };
     QVERIFY(!heldAt(0) && !heldAt(24));
@@ -221,7 +229,8 @@ class FlowWindowTest : public QObject {
     QVERIFY(heldAt(60) && !heldAt(61));
     f.action("editUndo")->trigger();
     f.action("editUndo")->trigger();
-    QVERIFY(f.document().scene().firstOf(kSimulationType)->curves.empty());
+    const SceneNode* film = f.document().scene().firstOf(kSimulationType);
+    QVERIFY(film && film->curves.empty());
   }
 
   /// Single steps simulate one frame further and hold the run; Reset throws all away, after the question.
