@@ -62,6 +62,7 @@ struct Floating {
   double ratio;
   FlowMode mode;
   DensityMode density;
+  PressureMode pressure = PressureMode::EquationOfState;
 };
 
 FlowConfig tank(const Floating& f) {
@@ -69,6 +70,7 @@ FlowConfig tank(const Floating& f) {
   c.spacing = kSpacing;
   c.supportSpacings = f.mode.supportSpacings;
   c.density = f.density;
+  c.pressure = f.pressure;
   c.domainMin = {0, 0, -4 * kSpacing};
   c.domainMax = {kWide * kSpacing, kWide * kSpacing, 2 * kLayers * kSpacing};
   c.periodic[0] = c.periodic[1] = true;
@@ -98,7 +100,9 @@ Result<BenchRow> measure(const BenchOptions& options, const Floating& f) {
   row.settings = {{"mode", f.mode.id},
                   {"body", f.ball ? "sphere" : "box"},
                   {"ratio", fmt::format("{:.2f}", f.ratio)},
-                  {"density", f.density == DensityMode::Continuity ? "continuity" : "summation"}};
+                  {"density", f.pressure == PressureMode::Implicit   ? "implicit"
+                              : f.density == DensityMode::Continuity ? "continuity"
+                                                                     : "summation"}};
   const BenchMeter meter;
   FlowConfig c = tank(f);
   auto shape = makeRigidShape(f.ball ? ballOf(kRadius) : boxOf(kHalf));
@@ -148,6 +152,9 @@ Result<std::vector<BenchRow>> run(const BenchOptions& options) {
       for (const DensityMode density : {DensityMode::Summation, DensityMode::Continuity})
         for (const FlowMode& mode : {kFastMode, kAccurateMode})
           if (mode.supportSpacings < 2.5 || ratio == 0.5) cases.push_back({ball, ratio, mode, density});
+  for (const bool ball : {false, true})
+    for (const double ratio : {0.25, 0.5, 0.75})
+      cases.push_back({ball, ratio, kFastMode, DensityMode::Summation, PressureMode::Implicit});
   if (options.quick)
     cases = {{false, 0.5, kFastMode, DensityMode::Continuity},
              {true, 0.25, kFastMode, DensityMode::Summation}};

@@ -287,6 +287,7 @@ struct BodyReactionKernel {
   BodyView b;
   BodyLoad* load;  ///< by BodyPoint
   double volume;   ///< V0, m3
+  bool solved;     ///< after an implicit solve: the pressure that velocities have, not the next iterate's
 
   SPIN_HD static void add(BodyLoad& sum, double fx, double fy, double fz, double ax, double ay, double az) {
     sum.fx += fx, sum.fy += fy, sum.fz += fz;
@@ -300,8 +301,8 @@ struct BodyReactionKernel {
     forBoundaryNear(b.grid, v, n, [&](const PairVector<float>& d, std::uint32_t i) {
       const PairRecord& r = v.record[i];
       const float e = 1.0f + v.excess[i], slope = CubicSpline::slopeOverQ(distanceOf(d));
-      const float push =
-          bodyPush(v, r.pressureTerm, r.pressureTerm * e * e, r.restDensity, {-d.x, -d.y, -d.z});
+      const float term = solved ? v.pressureSolve.pressure[i] - v.pressureSolve.push[i] : r.pressureTerm;
+      const float push = bodyPush(v, term, term * e * e, r.restDensity, {-d.x, -d.y, -d.z});
       const double scale = volume * static_cast<double>(w.volume * bodyForceScale(c, push, slope));
       add(sum, scale * static_cast<double>(d.x), scale * static_cast<double>(d.y),
           scale * static_cast<double>(d.z), static_cast<double>(w.armX), static_cast<double>(w.armY),

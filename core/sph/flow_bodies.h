@@ -90,12 +90,13 @@ class FlowBodies {
   Status move(double seconds, const std::vector<RigidImpulse>& impulses) {
     return any() ? m_world.step(seconds, impulses) : Status();
   }
-  /// Impulses of the flow on the bodies over `kick` seconds.
-  std::vector<RigidImpulse> reaction(Backend& backend, const FlowView& flow, double kick) {
+  /// Impulses of the flow on the bodies over `kick` seconds; `solved` after an implicit pressure.
+  std::vector<RigidImpulse> reaction(Backend& backend, const FlowView& flow, double kick, bool solved) {
     std::vector<RigidImpulse> impulses(m_world.bodies().size());
     if (m_listed == 0) return impulses;
     backend.forEach("bodies", m_points.size(), ClearLoadKernel{m_load.data()});
-    backend.forEach("bodies", m_view.grid.count, BodyReactionKernel{flow, m_view, m_load.data(), m_volume});
+    backend.forEach("bodies", m_view.grid.count,
+                    BodyReactionKernel{flow, m_view, m_load.data(), m_volume, solved});
     return summedLoads(backend, kick);
   }
 
@@ -111,7 +112,7 @@ class FlowBodies {
     m_free = m_world.freeBodies(seconds);
     for (std::size_t k = 0; k < m_guess.size(); ++k)
       if (m_free[k]) m_guess[k].velocity += m_gravity * seconds;
-    follow(backend, flow, reaction(backend, flow, seconds));
+    follow(backend, flow, reaction(backend, flow, seconds, false));
   }
   /// Rates of the excess, before each iterate.
   void divergence(Backend& backend, const FlowView& flow) {

@@ -329,7 +329,7 @@ class FlowSolverOn final : public FlowSolver {
     m_lastStep = done.seconds;
     m_kick = kick;
     m_bodies.rub(m_backend, m_view, kick);
-    const std::vector<RigidImpulse> impulses = m_bodies.reaction(m_backend, m_view, kick);
+    const std::vector<RigidImpulse> impulses = m_bodies.reaction(m_backend, m_view, kick, false);
     if (!solves) {
       const IntegrateKernel integrate{m_view, static_cast<float>(kick)};
       if (m_config.countImpulse) countImpulse(integrate);
@@ -400,7 +400,7 @@ class FlowSolverOn final : public FlowSolver {
     m_backend.forEach("integrate", m_view.count, WallEndKernel{m_view, !solves});
     if (m_config.countImpulse)
       m_outer += momentum() - before - m_bodies.given(m_backend, m_view) * done.seconds;
-    const std::vector<RigidImpulse> impulses = m_bodies.reaction(m_backend, m_view, done.seconds);
+    const std::vector<RigidImpulse> impulses = m_bodies.reaction(m_backend, m_view, done.seconds, true);
     m_backend.forEach("integrate", m_view.count, AdvanceKernel{m_view});
     return moveBodies(done.seconds, impulses);
   }

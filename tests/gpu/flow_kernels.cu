@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
 // The solver's kernels as the CUDA backend launches them, without the rest: spills.py compiles this.
-#include "core/sph/body_kernels.h"
+#include "core/sph/body_solve.h"
 #include "core/sph/flow_kernels.h"
 #include "gpu/for_each_kernel.cuh"
 
@@ -27,5 +27,9 @@ template __global__ void forEachKernel(BodyRateKernel, std::size_t);
 template __global__ void forEachKernel(BodyPressureKernel, std::size_t);
 template __global__ void forEachKernel(BodyRubKernel, std::size_t);
 template __global__ void forEachKernel(BodyReactionKernel, std::size_t);
+template __global__ void forEachKernel(BodyConstraintKernel, std::size_t);
+template __global__ void forEachKernel(BodyDivergenceKernel, std::size_t);
+template __global__ void forEachKernel(BodySolvePushKernel, std::size_t);
+template __global__ void forEachKernel(BodySolveLoadKernel, std::size_t);
 
 }  // namespace spin

@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "tests/support/flow_scenes.h"
@@ -83,10 +84,11 @@ class FlowBodiesContract : public ::testing::Test {
 TYPED_TEST_SUITE_P(FlowBodiesContract);
 
 TYPED_TEST_P(FlowBodiesContract, ABoxFloatsAtArchimedesDepth) {
-  for (const DensityMode mode : {DensityMode::Summation, DensityMode::Continuity}) {
+  for (const char* mode : {"summation", "continuity", "implicit"}) {
     const int wide = 16, layers = 10;
     FlowConfig c = testing::boxConfig(wide, wide, 32);
-    c.density = mode;
+    if (mode == std::string("continuity")) c.density = DensityMode::Continuity;
+    if (mode == std::string("implicit")) c.pressure = PressureMode::Implicit;
     c.materials[0].rheology.viscosity = 20.0f;
     const double d = c.spacing, edge = 8 * d, height = 4 * d, ratio = 0.5;
     const TriangleMesh mesh =
@@ -106,15 +108,21 @@ TYPED_TEST_P(FlowBodiesContract, ABoxFloatsAtArchimedesDepth) {
       this->runFor(*solver, 0.03);
       z += solver->bodies()[0].position.z;
     }
-    EXPECT_NEAR(z / moments, bottom + height / 2, 0.5 * d) << static_cast<int>(mode);
+    EXPECT_NEAR(z / moments, bottom + height / 2, 0.5 * d) << mode;
     EXPECT_GT(std::abs(solver->bodies()[0].orientation.w), 0.99);
     EXPECT_EQ(solver->count(), particles.size());
   }
 }
 
 TYPED_TEST_P(FlowBodiesContract, MomentumOfFlowAndBodiesChangesByTheOuterImpulseOnly) {
-  for (const WallFriction friction : {WallFriction::NoSlip, WallFriction::Coulomb}) {
+  for (const auto& [friction, pressure, viscosity] :
+       {std::tuple{WallFriction::NoSlip, PressureMode::EquationOfState, ViscosityMode::Pairwise},
+        std::tuple{WallFriction::Coulomb, PressureMode::EquationOfState, ViscosityMode::Pairwise},
+        std::tuple{WallFriction::NoSlip, PressureMode::EquationOfState, ViscosityMode::Implicit},
+        std::tuple{WallFriction::NoSlip, PressureMode::Implicit, ViscosityMode::Pairwise}}) {
     FlowConfig c = testing::boxConfig(24, 24, 32);
+    c.pressure = pressure;
+    c.viscosity = viscosity;
     c.countImpulse = true;
     c.smoothing = 0.2;
     c.materials[0].rheology.viscosity = 5.0f;
