@@ -734,6 +734,702 @@
         <source>Credit</source>
         <translation>Zdroj dat</translation>
     </message>
+    <message>
+        <source>Dry snow</source>
+        <translation>Suchý sníh</translation>
+    </message>
+    <message>
+        <source>Wet snow</source>
+        <translation>Mokrý sníh</translation>
+    </message>
+    <message>
+        <source>Slush</source>
+        <translation>Sněhová břečka</translation>
+    </message>
+    <message>
+        <source>Cross fluid, thinning</source>
+        <translation>Crossova kapalina, řídnoucí</translation>
+    </message>
+    <message>
+        <source>Cross fluid, thickening</source>
+        <translation>Crossova kapalina, houstnoucí</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Vlastní</translation>
+    </message>
+    <message>
+        <source>What flows: a preset, or custom for the numbers of a flow material node. The presets&apos; numbers and sources stand in the documentation of flow materials.</source>
+        <translation>Co teče: předvolba, nebo vlastní materiál s čísly z uzlu materiálu toku. Čísla předvoleb a jejich zdroje jsou v dokumentaci materiálů toku.</translation>
+    </message>
+    <message>
+        <source>Flow material node that a custom material takes its numbers from.</source>
+        <translation>Uzel materiálu toku, ze kterého vlastní materiál bere svá čísla.</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Obrys</translation>
+    </message>
+    <message>
+        <source>Corners of the release area in plan, local metres east and north. It must not cross itself.</source>
+        <translation>Rohy odtrhové plochy v půdorysu, místní metry na východ a na sever. Obrys nesmí křížit sám sebe.</translation>
+    </message>
+    <message>
+        <source>8-bit PNG of the terrain&apos;s size, 1 where the slab is released and 255 elsewhere; it adds to the outline and is written when the scene is saved.</source>
+        <translation>8bitové PNG o velikosti terénu, 1 tam, kde se deska utrhne, jinde 255; přidává se k obrysu a zapisuje se při uložení scény.</translation>
+    </message>
+    <message>
+        <source>Slab depth</source>
+        <translation>Tloušťka desky</translation>
+    </message>
+    <message>
+        <source>Depth of the slab that breaks loose.</source>
+        <translation>Tloušťka desky, která se utrhne.</translation>
+    </message>
+    <message>
+        <source>Vertical depth</source>
+        <translation>Svislá tloušťka</translation>
+    </message>
+    <message>
+        <source>The depth is measured vertically; otherwise along the slope&apos;s normal, as release depths are given.</source>
+        <translation>Tloušťka se měří svisle; jinak po normále svahu, jak se tloušťky odtrhu udávají.</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Hustota</translation>
+    </message>
+    <message>
+        <source>Density of the slab; 0 takes the material&apos;s.</source>
+        <translation>Hustota desky; 0 bere hustotu materiálu.</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Materiál</translation>
+    </message>
+    <message>
+        <source>Custom material</source>
+        <translation>Vlastní materiál</translation>
+    </message>
+    <message>
+        <source>Release time</source>
+        <translation>Čas odtrhu</translation>
+    </message>
+    <message>
+        <source>Film time at which the slab breaks loose; it is not there before.</source>
+        <translation>Čas filmu, ve kterém se deska utrhne; předtím tam není.</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Úsečka</translation>
+    </message>
+    <message>
+        <source>Disc</source>
+        <translation>Kruh</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Tvar</translation>
+    </message>
+    <message>
+        <source>A line such as a crest, or a disc such as a pipe&apos;s mouth.</source>
+        <translation>Úsečka, například hrana přelivu, nebo kruh, například ústí trubky.</translation>
+    </message>
+    <message>
+        <source>One end of the line, or the centre of the disc.</source>
+        <translation>Jeden konec úsečky, nebo střed kruhu.</translation>
+    </message>
+    <message>
+        <source>Line&apos;s end</source>
+        <translation>Konec úsečky</translation>
+    </message>
+    <message>
+        <source>The other end of the line.</source>
+        <translation>Druhý konec úsečky.</translation>
+    </message>
+    <message>
+        <source>Heights count from the terrain under each point.</source>
+        <translation>Výšky se počítají od terénu pod každým bodem.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Poloměr</translation>
+    </message>
+    <message>
+        <source>Radius of the disc.</source>
+        <translation>Poloměr kruhu.</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Rychlost</translation>
+    </message>
+    <message>
+        <source>Direction and speed at which fluid enters. Of a disc only the direction counts: its speed follows from flow and radius.</source>
+        <translation>Směr a rychlost, kterou kapalina vstupuje. U kruhu platí jen směr: rychlost plyne z průtoku a poloměru.</translation>
+    </message>
+    <message>
+        <source>Flow per metre</source>
+        <translation>Průtok na metr</translation>
+    </message>
+    <message>
+        <source>Volume a second and metre of the line.</source>
+        <translation>Objem za sekundu na metr úsečky.</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Tok</translation>
+    </message>
+    <message>
+        <source>Volume a second of the disc.</source>
+        <translation>Objem za sekundu z kruhu.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Začátek</translation>
+    </message>
+    <message>
+        <source>Film time of the first inflow.</source>
+        <translation>Čas filmu, kdy přítok začíná.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Konec</translation>
+    </message>
+    <message>
+        <source>Film time at which inflow ends.</source>
+        <translation>Čas filmu, kdy přítok končí.</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Rovina</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Kvádr</translation>
+    </message>
+    <message>
+        <source>All behind a plane, or all within a box, is taken out.</source>
+        <translation>Odstraní se vše za rovinou, nebo vše uvnitř kvádru.</translation>
+    </message>
+    <message>
+        <source>A point of the plane, or the centre of the box.</source>
+        <translation>Bod roviny, nebo střed kvádru.</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normála</translation>
+    </message>
+    <message>
+        <source>Direction from the plane to the side that stays.</source>
+        <translation>Směr od roviny ke straně, která zůstává.</translation>
+    </message>
+    <message>
+        <source>Edges of the box along x, y and z.</source>
+        <translation>Hrany kvádru podél x, y a z.</translation>
+    </message>
+    <message>
+        <source>Stands still</source>
+        <translation>Stojí na místě</translation>
+    </message>
+    <message>
+        <source>Moves by its keys</source>
+        <translation>Pohybuje se podle klíčů</translation>
+    </message>
+    <message>
+        <source>Moved by what hits it</source>
+        <translation>Pohybuje jím to, co do něj narazí</translation>
+    </message>
+    <message>
+        <source>Model that is solid for the flow.</source>
+        <translation>Model, který je pro tok pevný.</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Pohyb</translation>
+    </message>
+    <message>
+        <source>Whether the body stands, follows the keys of its model, or is moved by flow, gravity and collisions.</source>
+        <translation>Zda těleso stojí, sleduje klíče svého modelu, nebo jím pohybuje tok, tíže a srážky.</translation>
+    </message>
+    <message>
+        <source>Density of a moved body.</source>
+        <translation>Hustota pohyblivého tělesa.</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Tření</translation>
+    </message>
+    <message>
+        <source>Coulomb&apos;s coefficient against flow, ground and other bodies.</source>
+        <translation>Coulombův součinitel proti toku, zemi a jiným tělesům.</translation>
+    </message>
+    <message>
+        <source>Restitution</source>
+        <translation>Restituce</translation>
+    </message>
+    <message>
+        <source>Share of the speed that a collision gives back.</source>
+        <translation>Podíl rychlosti, který srážka vrátí.</translation>
+    </message>
+    <message>
+        <source>Start velocity</source>
+        <translation>Počáteční rychlost</translation>
+    </message>
+    <message>
+        <source>Velocity of a moved body at the start.</source>
+        <translation>Rychlost pohyblivého tělesa na začátku.</translation>
+    </message>
+    <message>
+        <source>Start spin</source>
+        <translation>Počáteční otáčení</translation>
+    </message>
+    <message>
+        <source>Angular velocity of a moved body at the start, rad/s.</source>
+        <translation>Úhlová rychlost pohyblivého tělesa na začátku, rad/s.</translation>
+    </message>
+    <message>
+        <source>Avalanche release</source>
+        <translation>Odtrh laviny</translation>
+    </message>
+    <message>
+        <source>A slab of snow that breaks loose.</source>
+        <translation>Sněhová deska, která se utrhne.</translation>
+    </message>
+    <message>
+        <source>Water source</source>
+        <translation>Zdroj vody</translation>
+    </message>
+    <message>
+        <source>A crest or a mouth where water enters.</source>
+        <translation>Hrana nebo ústí, kde vstupuje voda.</translation>
+    </message>
+    <message>
+        <source>Flow sink</source>
+        <translation>Odtok</translation>
+    </message>
+    <message>
+        <source>A plane or a box that takes flow out.</source>
+        <translation>Rovina nebo kvádr, který tok odebírá.</translation>
+    </message>
+    <message>
+        <source>Rigid body</source>
+        <translation>Tuhé těleso</translation>
+    </message>
+    <message>
+        <source>Makes a model solid for the flow.</source>
+        <translation>Dělá z modelu pevnou překážku toku.</translation>
+    </message>
+    <message>
+        <source>Newtonian</source>
+        <translation>Newtonská</translation>
+    </message>
+    <message>
+        <source>Power law</source>
+        <translation>Mocninný zákon</translation>
+    </message>
+    <message>
+        <source>Bingham</source>
+        <translation>Binghamova</translation>
+    </message>
+    <message>
+        <source>Herschel-Bulkley</source>
+        <translation>Herschelova-Bulkleyho</translation>
+    </message>
+    <message>
+        <source>Cross</source>
+        <translation>Crossova</translation>
+    </message>
+    <message>
+        <source>Frictional (Mohr-Coulomb)</source>
+        <translation>Třecí (Mohr-Coulomb)</translation>
+    </message>
+    <message>
+        <source>Law</source>
+        <translation>Zákon</translation>
+    </message>
+    <message>
+        <source>How the viscosity follows from the shear rate. Snow is frictional: it piles up and stops.</source>
+        <translation>Jak viskozita plyne z rychlosti smyku. Sníh je třecí: hromadí se a zastaví.</translation>
+    </message>
+    <message>
+        <source>Density at rest.</source>
+        <translation>Hustota v klidu.</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>Viskozita</translation>
+    </message>
+    <message>
+        <source>Newtonian viscosity, consistency in Pa s^n, or that of a Cross fluid at rest.</source>
+        <translation>Newtonská viskozita, konzistence v Pa s^n, nebo viskozita Crossovy kapaliny v klidu.</translation>
+    </message>
+    <message>
+        <source>Exponent</source>
+        <translation>Exponent</translation>
+    </message>
+    <message>
+        <source>Exponent n of the power law, Herschel-Bulkley and Cross: below 1 the first two thin.</source>
+        <translation>Exponent n mocninného zákona, Herschelova-Bulkleyho a Crossova: pod 1 první dva řídnou.</translation>
+    </message>
+    <message>
+        <source>Cohesion</source>
+        <translation>Soudržnost</translation>
+    </message>
+    <message>
+        <source>Stress below which it does not flow without pressure: cohesion, or the yield stress.</source>
+        <translation>Napětí, pod kterým bez tlaku neteče: soudržnost, nebo mez kluzu.</translation>
+    </message>
+    <message>
+        <source>Friction angle</source>
+        <translation>Úhel tření</translation>
+    </message>
+    <message>
+        <source>Angle of internal friction; its tangent times the pressure adds to the cohesion.</source>
+        <translation>Úhel vnitřního tření; jeho tangens krát tlak se přičítá k soudržnosti.</translation>
+    </message>
+    <message>
+        <source>Viscosity at speed</source>
+        <translation>Viskozita za pohybu</translation>
+    </message>
+    <message>
+        <source>That of a Cross fluid in fast shear.</source>
+        <translation>Viskozita Crossovy kapaliny v rychlém smyku.</translation>
+    </message>
+    <message>
+        <source>Cross factor</source>
+        <translation>Crossův součinitel</translation>
+    </message>
+    <message>
+        <source>Cross&apos; K in s^n: how early it changes.</source>
+        <translation>Crossovo K v s^n: jak brzy se mění.</translation>
+    </message>
+    <message>
+        <source>Least viscosity</source>
+        <translation>Nejmenší viskozita</translation>
+    </message>
+    <message>
+        <source>The viscosity is held above this.</source>
+        <translation>Viskozita se drží nad touto hodnotou.</translation>
+    </message>
+    <message>
+        <source>Largest viscosity</source>
+        <translation>Největší viskozita</translation>
+    </message>
+    <message>
+        <source>The viscosity is held below this: larger values creep less at rest and ask for more steps.</source>
+        <translation>Viskozita se drží pod touto hodnotou: větší hodnoty v klidu méně tečou a chtějí více kroků.</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>Rychle</translation>
+    </message>
+    <message>
+        <source>Accurate</source>
+        <translation>Přesně</translation>
+    </message>
+    <message>
+        <source>Summation</source>
+        <translation>Součtem</translation>
+    </message>
+    <message>
+        <source>Continuity</source>
+        <translation>Kontinuitou</translation>
+    </message>
+    <message>
+        <source>Friction by coefficient</source>
+        <translation>Tření podle součinitele</translation>
+    </message>
+    <message>
+        <source>Sticks</source>
+        <translation>Drží</translation>
+    </message>
+    <message>
+        <source>Slides freely</source>
+        <translation>Volně klouže</translation>
+    </message>
+    <message>
+        <source>Friction coefficient of flow on this type of ground. Swiss guidelines give 0.155 to 0.35 for flowing snow (Salm, Burkard and Gubler 1990).</source>
+        <translation>Součinitel tření toku na tomto druhu země. Švýcarské směrnice udávají pro tekoucí sníh 0,155 až 0,35 (Salm, Burkard a Gubler 1990).</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Rozestup</translation>
+    </message>
+    <message>
+        <source>Distance of particles at rest. Half of it takes eight times the particles and sixteen times the work.</source>
+        <translation>Vzdálenost částic v klidu. Polovina znamená osmkrát více částic a šestnáctkrát více práce.</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Přesnost</translation>
+    </message>
+    <message>
+        <source>Particles act on others within 2 spacings (fast) or 3 (accurate, about three times the work).</source>
+        <translation>Částice působí na jiné do 2 rozestupů (rychle) nebo 3 (přesně, asi trojnásobná práce).</translation>
+    </message>
+    <message>
+        <source>Density by</source>
+        <translation>Hustota podle</translation>
+    </message>
+    <message>
+        <source>Summation over neighbours, or continuity with diffusion: quieter pressure, cheaper steps.</source>
+        <translation>Součet přes sousedy, nebo kontinuita s difuzí: klidnější tlak, levnější kroky.</translation>
+    </message>
+    <message>
+        <source>Sound speed</source>
+        <translation>Rychlost zvuku</translation>
+    </message>
+    <message>
+        <source>Stiffness of the flow: larger is less compressible and takes more steps; 0 finds it.</source>
+        <translation>Tuhost toku: větší je méně stlačitelná a chce více kroků; 0 ji najde.</translation>
+    </message>
+    <message>
+        <source>Longest step</source>
+        <translation>Nejdelší krok</translation>
+    </message>
+    <message>
+        <source>Time steps are never longer than this.</source>
+        <translation>Časové kroky nejsou nikdy delší.</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Vyhlazení</translation>
+    </message>
+    <message>
+        <source>Share of the neighbours&apos; velocity that a particle takes on (XSPH).</source>
+        <translation>Podíl rychlosti sousedů, který částice převezme (XSPH).</translation>
+    </message>
+    <message>
+        <source>Viscosity cap</source>
+        <translation>Mez viskozity</translation>
+    </message>
+    <message>
+        <source>No viscosity is larger: less creep at rest asks for more steps; 0 finds one that leaves the step alone.</source>
+        <translation>Žádná viskozita není větší: méně tečení v klidu chce více kroků; 0 najde mez, která krok nezkrátí.</translation>
+    </message>
+    <message>
+        <source>Wind drag</source>
+        <translation>Odpor větru</translation>
+    </message>
+    <message>
+        <source>Acceleration by the wind per square of the speed against it.</source>
+        <translation>Zrychlení větrem na čtverec rychlosti proti němu.</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Okraj</translation>
+    </message>
+    <message>
+        <source>How far beyond the found reach of the flow the domain goes.</source>
+        <translation>Jak daleko oblast sahá za nalezený dosah toku.</translation>
+    </message>
+    <message>
+        <source>Headroom</source>
+        <translation>Výška nad</translation>
+    </message>
+    <message>
+        <source>How far the domain goes above ground and sources; what flies higher leaves.</source>
+        <translation>Jak vysoko oblast sahá nad zem a zdroje; co letí výš, odchází.</translation>
+    </message>
+    <message>
+        <source>Domain from</source>
+        <translation>Oblast od</translation>
+    </message>
+    <message>
+        <source>Lowest corner of the box that flow stays in; equal corners find the box from the terrain.</source>
+        <translation>Nejnižší roh kvádru, ve kterém tok zůstává; stejné rohy najdou kvádr z terénu.</translation>
+    </message>
+    <message>
+        <source>Domain to</source>
+        <translation>Oblast do</translation>
+    </message>
+    <message>
+        <source>Highest corner of the box that flow stays in.</source>
+        <translation>Nejvyšší roh kvádru, ve kterém tok zůstává.</translation>
+    </message>
+    <message>
+        <source>Closed domain</source>
+        <translation>Uzavřená oblast</translation>
+    </message>
+    <message>
+        <source>The sides of the domain are smooth walls; otherwise flow leaves there.</source>
+        <translation>Strany oblasti jsou hladké stěny; jinak tam tok odchází.</translation>
+    </message>
+    <message>
+        <source>Ground holds by</source>
+        <translation>Země drží</translation>
+    </message>
+    <message>
+        <source>How the ground holds what flows over it.</source>
+        <translation>Jak země drží, co po ní teče.</translation>
+    </message>
+    <message>
+        <source>Turbulent friction</source>
+        <translation>Turbulentní tření</translation>
+    </message>
+    <message>
+        <source>Voellmy&apos;s xi: the ground also holds by density times gravity times speed squared over xi; 0 is none. Published values are 400 to 4000 (Salm, Burkard and Gubler 1990).</source>
+        <translation>Voellmyho xi: země drží také hustotou krát tíhovým zrychlením krát čtvercem rychlosti děleným xi; 0 je žádné. Publikované hodnoty jsou 400 až 4000 (Salm, Burkard a Gubler 1990).</translation>
+    </message>
+    <message>
+        <source>Friction on quartz</source>
+        <translation>Tření na křemeni</translation>
+    </message>
+    <message>
+        <source>Friction on sand</source>
+        <translation>Tření na písku</translation>
+    </message>
+    <message>
+        <source>Friction on soil</source>
+        <translation>Tření na půdě</translation>
+    </message>
+    <message>
+        <source>Friction on vegetation</source>
+        <translation>Tření na porostu</translation>
+    </message>
+    <message>
+        <source>Friction on rock</source>
+        <translation>Tření na skále</translation>
+    </message>
+    <message>
+        <source>Friction on ice</source>
+        <translation>Tření na ledu</translation>
+    </message>
+    <message>
+        <source>Friction on asphalt</source>
+        <translation>Tření na asfaltu</translation>
+    </message>
+    <message>
+        <source>Friction on water</source>
+        <translation>Tření na vodě</translation>
+    </message>
+    <message>
+        <source>Flow material</source>
+        <translation>Materiál toku</translation>
+    </message>
+    <message>
+        <source>Numbers of a custom material that flows.</source>
+        <translation>Čísla vlastního materiálu, který teče.</translation>
+    </message>
+    <message>
+        <source>Flow settings</source>
+        <translation>Nastavení toku</translation>
+    </message>
+    <message>
+        <source>How avalanches and water are computed.</source>
+        <translation>Jak se počítají laviny a voda.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Rychlost</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Tlak</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Zrychlení</translation>
+    </message>
+    <message>
+        <source>Shear rate</source>
+        <translation>Rychlost smyku</translation>
+    </message>
+    <message>
+        <source>Particle class</source>
+        <translation>Třída částic</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Stáří</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Sousedé</translation>
+    </message>
+    <message>
+        <source>Within the flow</source>
+        <translation>Uvnitř toku</translation>
+    </message>
+    <message>
+        <source>Isolated</source>
+        <translation>Osamocené</translation>
+    </message>
+    <message>
+        <source>At the surface</source>
+        <translation>Na povrchu</translation>
+    </message>
+    <message>
+        <source>Flow shows</source>
+        <translation>Tok ukazuje</translation>
+    </message>
+    <message>
+        <source>What the colours of flowing particles tell. Material draws snow as snow and water as water.</source>
+        <translation>Co říkají barvy tekoucích částic. Materiál kreslí sníh jako sníh a vodu jako vodu.</translation>
+    </message>
+    <message>
+        <source>Range of the frame</source>
+        <translation>Rozsah podle snímku</translation>
+    </message>
+    <message>
+        <source>Spread the colours over what the frame&apos;s particles have; off takes the range below.</source>
+        <translation>Rozprostře barvy na to, co mají částice snímku; vypnuto bere rozsah níže.</translation>
+    </message>
+    <message>
+        <source>Range from</source>
+        <translation>Rozsah od</translation>
+    </message>
+    <message>
+        <source>Value of the darkest colour, in the unit that the legend shows.</source>
+        <translation>Hodnota nejtmavší barvy v jednotce, kterou ukazuje legenda.</translation>
+    </message>
+    <message>
+        <source>Range to</source>
+        <translation>Rozsah do</translation>
+    </message>
+    <message>
+        <source>Value of the brightest colour, in the unit that the legend shows.</source>
+        <translation>Hodnota nejjasnější barvy v jednotce, kterou ukazuje legenda.</translation>
+    </message>
+    <message>
+        <source>Logarithmic colours</source>
+        <translation>Logaritmické barvy</translation>
+    </message>
+    <message>
+        <source>Each step of colour multiplies the value: for viscosity and shear rate. Needs values above 0.</source>
+        <translation>Každý stupeň barvy hodnotu násobí: pro viskozitu a rychlost smyku. Potřebuje hodnoty nad 0.</translation>
+    </message>
+    <message>
+        <source>Show legend</source>
+        <translation>Ukázat legendu</translation>
+    </message>
+    <message>
+        <source>Print what the colours mean where they stand for values.</source>
+        <translation>Vypsat, co barvy znamenají, kde zastupují hodnoty.</translation>
+    </message>
+    <message>
+        <source>Show boundary particles</source>
+        <translation>Ukázat hraniční částice</translation>
+    </message>
+    <message>
+        <source>Draw the particles that stand for moving bodies.</source>
+        <translation>Kreslit částice, které zastupují pohyblivá tělesa.</translation>
+    </message>
+    <message>
+        <source>Pause snow</source>
+        <translation>Pozastavit sníh</translation>
+    </message>
+    <message>
+        <source>While it is on, falling snow and cover stand still and everything else goes on.</source>
+        <translation>Dokud je zapnuto, sněžení a pokrývka stojí a vše ostatní běží dál.</translation>
+    </message>
+    <message>
+        <source>Pause flow</source>
+        <translation>Pozastavit tok</translation>
+    </message>
+    <message>
+        <source>While it is on, avalanches, water and bodies stand still and everything else goes on.</source>
+        <translation>Dokud je zapnuto, laviny, voda a tělesa stojí a vše ostatní běží dál.</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>
@@ -1339,10 +2035,6 @@
         <translation>Měřítko</translation>
     </message>
     <message>
-        <source>Paint ground types</source>
-        <translation>Malovat typy povrchu</translation>
-    </message>
-    <message>
         <source>Local axes</source>
         <translation>Místní osy</translation>
     </message>
@@ -1442,6 +2134,102 @@
         <source>&lt;h3&gt;Spindrift %1&lt;/h3&gt;&lt;p&gt;Editor and simulator of winter scenes.&lt;/p&gt;&lt;p&gt;Apache License 2.0. What it builds on is listed in the file NOTICE.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Spindrift %1&lt;/h3&gt;&lt;p&gt;Editor a simulátor zimních scén.&lt;/p&gt;&lt;p&gt;Licence Apache 2.0. Na čem program staví, uvádí soubor NOTICE.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Flo&amp;w shows</source>
+        <translation>&amp;Tok ukazuje</translation>
+    </message>
+    <message>
+        <source>&amp;Boundary particles</source>
+        <translation>&amp;Hraniční částice</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pozastavit</translation>
+    </message>
+    <message>
+        <source>Hold the simulation; it goes on where it was</source>
+        <translation>Podržet simulaci; pokračuje, kde byla</translation>
+    </message>
+    <message>
+        <source>S&amp;ingle step</source>
+        <translation>Jeden &amp;krok</translation>
+    </message>
+    <message>
+        <source>Hold the simulation and compute one frame further</source>
+        <translation>Podržet simulaci a spočítat o jeden snímek dál</translation>
+    </message>
+    <message>
+        <source>Pause s&amp;now from here</source>
+        <translation>Pozastavit &amp;sníh odtud</translation>
+    </message>
+    <message>
+        <source>Snowfall and cover stand still from the shown frame on</source>
+        <translation>Sněžení a pokrývka stojí od zobrazeného snímku dál</translation>
+    </message>
+    <message>
+        <source>Pause &amp;flow from here</source>
+        <translation>Pozastavit t&amp;ok odtud</translation>
+    </message>
+    <message>
+        <source>Avalanches, water and bodies stand still from the shown frame on</source>
+        <translation>Laviny, voda a tělesa stojí od zobrazeného snímku dál</translation>
+    </message>
+    <message>
+        <source>Reset the simulation</source>
+        <translation>Začít simulaci znovu</translation>
+    </message>
+    <message>
+        <source>All simulated frames of this scene are thrown away, in memory and on disk, and the simulation starts again at the first frame.</source>
+        <translation>Všechny spočítané snímky této scény se zahodí, v paměti i na disku, a simulace začne znovu prvním snímkem.</translation>
+    </message>
+    <message>
+        <source>&amp;Reset...</source>
+        <translation>&amp;Začít znovu...</translation>
+    </message>
+    <message>
+        <source>Throw away all simulated frames and start again</source>
+        <translation>Zahodit všechny spočítané snímky a začít znovu</translation>
+    </message>
+    <message>
+        <source>Paint ground types, or the area of the selected release</source>
+        <translation>Malovat druhy země, nebo plochu vybraného odtrhu</translation>
+    </message>
+    <message>
+        <source>Draw the outline of a release</source>
+        <translation>Kreslit obrys odtrhu</translation>
+    </message>
+    <message>
+        <source>What the brush does to the area of the selected release</source>
+        <translation>Co štětec dělá s plochou vybraného odtrhu</translation>
+    </message>
+    <message>
+        <source>Release here</source>
+        <translation>Zde utrhnout</translation>
+    </message>
+    <message>
+        <source>Shift while dragging a handle of flow</source>
+        <translation>Shift při tažení úchytu toku</translation>
+    </message>
+    <message>
+        <source>Up and down instead of along the ground</source>
+        <translation>Nahoru a dolů místo po zemi</translation>
+    </message>
+    <message>
+        <source>Click with the outline tool</source>
+        <translation>Kliknutí s nástrojem obrysu</translation>
+    </message>
+    <message>
+        <source>Add a corner; on a side, put one in</source>
+        <translation>Přidat roh; na straně roh vložit</translation>
+    </message>
+    <message>
+        <source>Delete over a corner</source>
+        <translation>Delete nad rohem</translation>
+    </message>
+    <message>
+        <source>Take the corner out</source>
+        <translation>Roh odebrat</translation>
+    </message>
 </context>
 <context>
     <name>spin::MainWindow</name>
@@ -1513,6 +2301,10 @@
             <numerusform>Je otevřena obnovená scéna; %n souborů z příkazové řádky nebylo otevřeno.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Stages</source>
+        <translation>Fáze</translation>
+    </message>
 </context>
 <context>
     <name>spin::OutlinerPanel</name>
@@ -1558,10 +2350,25 @@
     </message>
 </context>
 <context>
+    <name>spin::PointsEditor</name>
+    <message>
+        <source>east north; east north; ...</source>
+        <translation>východ sever; východ sever; ...</translation>
+    </message>
+</context>
+<context>
     <name>spin::PropertyPanel</name>
     <message>
         <source>Nothing is selected</source>
         <translation>Nic není vybráno</translation>
+    </message>
+    <message>
+        <source>Make rigid body</source>
+        <translation>Udělat tuhé těleso</translation>
+    </message>
+    <message>
+        <source>Make this model solid for avalanches and water, or show the body that does so</source>
+        <translation>Udělat z modelu pevnou překážku lavin a vody, nebo ukázat těleso, které jí už je</translation>
     </message>
 </context>
 <context>
@@ -1651,6 +2458,30 @@
         <source>Set keys</source>
         <translation>Vložit klíče</translation>
     </message>
+    <message>
+        <source>Draw release outline</source>
+        <translation>Kreslit obrys odtrhu</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Přidat %1</translation>
+    </message>
+    <message>
+        <source>Change pictures</source>
+        <translation>Změnit snímky</translation>
+    </message>
+    <message>
+        <source>Pause process</source>
+        <translation>Pozastavit děj</translation>
+    </message>
+    <message>
+        <source>Let process go on</source>
+        <translation>Nechat děj pokračovat</translation>
+    </message>
+    <message>
+        <source>Make rigid body</source>
+        <translation>Udělat tuhé těleso</translation>
+    </message>
 </context>
 <context>
     <name>spin::SimulationController</name>
@@ -1661,6 +2492,73 @@
     <message>
         <source>Stale frames deleted.</source>
         <translation>Zastaralé snímky smazány.</translation>
+    </message>
+</context>
+<context>
+    <name>spin::StagePanel</name>
+    <message>
+        <source>Frame %1</source>
+        <translation>Snímek %1</translation>
+    </message>
+    <message>
+        <source>No frame is simulated yet</source>
+        <translation>Zatím není spočítán žádný snímek</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>All stages</source>
+        <translation>Všechny fáze</translation>
+    </message>
+    <message>
+        <source>Computed on</source>
+        <translation>Spočítáno na</translation>
+    </message>
+    <message>
+        <source>Mass: %1</source>
+        <translation>Hmotnost: %1</translation>
+    </message>
+    <message>
+        <source>%1 kg</source>
+        <translation>%1 kg</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Fáze</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Čas</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Podíl</translation>
+    </message>
+    <message>
+        <source>Calls</source>
+        <translation>Volání</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Údaj</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Hodnota</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopírovat</translation>
+    </message>
+    <message>
+        <source>Copy both tables as text</source>
+        <translation>Kopírovat obě tabulky jako text</translation>
     </message>
 </context>
 <context>
@@ -1712,6 +2610,34 @@
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 particles</source>
+        <translation>%1 částic</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>asi %1</translation>
+    </message>
+    <message>
+        <source>%1 of memory</source>
+        <translation>%1 paměti</translation>
+    </message>
+    <message>
+        <source>%1 on disk</source>
+        <translation>%1 na disku</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s): %1</source>
+        <translation>
+            <numerusform>%n snímek: %1</numerusform>
+            <numerusform>%n snímky: %1</numerusform>
+            <numerusform>%n snímků: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What the frames that are not simulated yet will take</source>
+        <translation>Co budou stát snímky, které ještě nejsou spočítány</translation>
     </message>
 </context>
 <context>

@@ -31,4 +31,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>spin::StatusPanel</name>
+    <message numerus="yes">
+        <source>%n frame(s): %1</source>
+        <translation>
+            <numerusform>%n frame: %1</numerusform>
+            <numerusform>%n frames: %1</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -734,6 +734,702 @@
         <source>Credit</source>
         <translation>数据来源</translation>
     </message>
+    <message>
+        <source>Dry snow</source>
+        <translation>干雪</translation>
+    </message>
+    <message>
+        <source>Wet snow</source>
+        <translation>湿雪</translation>
+    </message>
+    <message>
+        <source>Slush</source>
+        <translation>雪浆</translation>
+    </message>
+    <message>
+        <source>Cross fluid, thinning</source>
+        <translation>Cross 流体，剪切变稀</translation>
+    </message>
+    <message>
+        <source>Cross fluid, thickening</source>
+        <translation>Cross 流体，剪切变稠</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>自定义</translation>
+    </message>
+    <message>
+        <source>What flows: a preset, or custom for the numbers of a flow material node. The presets&apos; numbers and sources stand in the documentation of flow materials.</source>
+        <translation>流动的是什么：预设，或取流动材料节点数值的自定义材料。预设的数值和来源见流动材料文档。</translation>
+    </message>
+    <message>
+        <source>Flow material node that a custom material takes its numbers from.</source>
+        <translation>自定义材料从中取数值的流动材料节点。</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>轮廓</translation>
+    </message>
+    <message>
+        <source>Corners of the release area in plan, local metres east and north. It must not cross itself.</source>
+        <translation>释放区在平面上的角点，局部坐标，向东和向北，单位米。轮廓不得自相交。</translation>
+    </message>
+    <message>
+        <source>8-bit PNG of the terrain&apos;s size, 1 where the slab is released and 255 elsewhere; it adds to the outline and is written when the scene is saved.</source>
+        <translation>与地形同尺寸的 8 位 PNG，雪板释放处为 1，其他为 255；与轮廓叠加，在保存场景时写入。</translation>
+    </message>
+    <message>
+        <source>Slab depth</source>
+        <translation>雪板厚度</translation>
+    </message>
+    <message>
+        <source>Depth of the slab that breaks loose.</source>
+        <translation>断裂释放的雪板厚度。</translation>
+    </message>
+    <message>
+        <source>Vertical depth</source>
+        <translation>垂直厚度</translation>
+    </message>
+    <message>
+        <source>The depth is measured vertically; otherwise along the slope&apos;s normal, as release depths are given.</source>
+        <translation>厚度沿竖直方向测量；否则沿坡面法线，这是释放厚度的通常给法。</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>密度</translation>
+    </message>
+    <message>
+        <source>Density of the slab; 0 takes the material&apos;s.</source>
+        <translation>雪板密度;0 取材料的密度。</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Custom material</source>
+        <translation>自定义材料</translation>
+    </message>
+    <message>
+        <source>Release time</source>
+        <translation>释放时间</translation>
+    </message>
+    <message>
+        <source>Film time at which the slab breaks loose; it is not there before.</source>
+        <translation>雪板断裂的影片时间；在此之前它不存在。</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>线段</translation>
+    </message>
+    <message>
+        <source>Disc</source>
+        <translation>圆盘</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>A line such as a crest, or a disc such as a pipe&apos;s mouth.</source>
+        <translation>线段如溢流口，或圆盘如管口。</translation>
+    </message>
+    <message>
+        <source>One end of the line, or the centre of the disc.</source>
+        <translation>线段的一端，或圆盘的中心。</translation>
+    </message>
+    <message>
+        <source>Line&apos;s end</source>
+        <translation>线段终点</translation>
+    </message>
+    <message>
+        <source>The other end of the line.</source>
+        <translation>线段的另一端。</translation>
+    </message>
+    <message>
+        <source>Heights count from the terrain under each point.</source>
+        <translation>高度从各点下方的地形算起。</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Radius of the disc.</source>
+        <translation>圆盘的半径。</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Direction and speed at which fluid enters. Of a disc only the direction counts: its speed follows from flow and radius.</source>
+        <translation>流体进入的方向和速率。对圆盘只有方向有效：速率由流量和半径得出。</translation>
+    </message>
+    <message>
+        <source>Flow per metre</source>
+        <translation>每米流量</translation>
+    </message>
+    <message>
+        <source>Volume a second and metre of the line.</source>
+        <translation>线段每米每秒的体积。</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>流量</translation>
+    </message>
+    <message>
+        <source>Volume a second of the disc.</source>
+        <translation>圆盘每秒的体积。</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>Film time of the first inflow.</source>
+        <translation>开始流入的影片时间。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Film time at which inflow ends.</source>
+        <translation>停止流入的影片时间。</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>All behind a plane, or all within a box, is taken out.</source>
+        <translation>移除平面之后的一切，或长方体之内的一切。</translation>
+    </message>
+    <message>
+        <source>A point of the plane, or the centre of the box.</source>
+        <translation>平面上的一点，或长方体的中心。</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>法线</translation>
+    </message>
+    <message>
+        <source>Direction from the plane to the side that stays.</source>
+        <translation>从平面指向保留一侧的方向。</translation>
+    </message>
+    <message>
+        <source>Edges of the box along x, y and z.</source>
+        <translation>长方体沿 x、y、z 的边长。</translation>
+    </message>
+    <message>
+        <source>Stands still</source>
+        <translation>静止</translation>
+    </message>
+    <message>
+        <source>Moves by its keys</source>
+        <translation>按关键帧运动</translation>
+    </message>
+    <message>
+        <source>Moved by what hits it</source>
+        <translation>受碰撞物推动</translation>
+    </message>
+    <message>
+        <source>Model that is solid for the flow.</source>
+        <translation>对流动而言是固体的模型。</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>运动</translation>
+    </message>
+    <message>
+        <source>Whether the body stands, follows the keys of its model, or is moved by flow, gravity and collisions.</source>
+        <translation>物体静止、跟随其模型的关键帧，还是被流动、重力和碰撞推动。</translation>
+    </message>
+    <message>
+        <source>Density of a moved body.</source>
+        <translation>运动物体的密度。</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>摩擦</translation>
+    </message>
+    <message>
+        <source>Coulomb&apos;s coefficient against flow, ground and other bodies.</source>
+        <translation>对流动、地面和其他物体的库仑摩擦系数。</translation>
+    </message>
+    <message>
+        <source>Restitution</source>
+        <translation>恢复系数</translation>
+    </message>
+    <message>
+        <source>Share of the speed that a collision gives back.</source>
+        <translation>碰撞后返还的速度份额。</translation>
+    </message>
+    <message>
+        <source>Start velocity</source>
+        <translation>初速度</translation>
+    </message>
+    <message>
+        <source>Velocity of a moved body at the start.</source>
+        <translation>运动物体开始时的速度。</translation>
+    </message>
+    <message>
+        <source>Start spin</source>
+        <translation>初始自转</translation>
+    </message>
+    <message>
+        <source>Angular velocity of a moved body at the start, rad/s.</source>
+        <translation>运动物体开始时的角速度，rad/s。</translation>
+    </message>
+    <message>
+        <source>Avalanche release</source>
+        <translation>雪崩释放</translation>
+    </message>
+    <message>
+        <source>A slab of snow that breaks loose.</source>
+        <translation>断裂释放的雪板。</translation>
+    </message>
+    <message>
+        <source>Water source</source>
+        <translation>水源</translation>
+    </message>
+    <message>
+        <source>A crest or a mouth where water enters.</source>
+        <translation>水流入的溢流口或管口。</translation>
+    </message>
+    <message>
+        <source>Flow sink</source>
+        <translation>流出口</translation>
+    </message>
+    <message>
+        <source>A plane or a box that takes flow out.</source>
+        <translation>移除流动的平面或长方体。</translation>
+    </message>
+    <message>
+        <source>Rigid body</source>
+        <translation>刚体</translation>
+    </message>
+    <message>
+        <source>Makes a model solid for the flow.</source>
+        <translation>使模型对流动成为固体。</translation>
+    </message>
+    <message>
+        <source>Newtonian</source>
+        <translation>牛顿</translation>
+    </message>
+    <message>
+        <source>Power law</source>
+        <translation>幂律</translation>
+    </message>
+    <message>
+        <source>Bingham</source>
+        <translation>Bingham</translation>
+    </message>
+    <message>
+        <source>Herschel-Bulkley</source>
+        <translation>Herschel-Bulkley</translation>
+    </message>
+    <message>
+        <source>Cross</source>
+        <translation>Cross</translation>
+    </message>
+    <message>
+        <source>Frictional (Mohr-Coulomb)</source>
+        <translation>摩擦型（Mohr-Coulomb）</translation>
+    </message>
+    <message>
+        <source>Law</source>
+        <translation>本构律</translation>
+    </message>
+    <message>
+        <source>How the viscosity follows from the shear rate. Snow is frictional: it piles up and stops.</source>
+        <translation>粘度如何随剪切率变化。雪是摩擦型的：会堆积并停下。</translation>
+    </message>
+    <message>
+        <source>Density at rest.</source>
+        <translation>静止时的密度。</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>粘度</translation>
+    </message>
+    <message>
+        <source>Newtonian viscosity, consistency in Pa s^n, or that of a Cross fluid at rest.</source>
+        <translation>牛顿粘度、以 Pa s^n 计的稠度，或 Cross 流体静止时的粘度。</translation>
+    </message>
+    <message>
+        <source>Exponent</source>
+        <translation>指数</translation>
+    </message>
+    <message>
+        <source>Exponent n of the power law, Herschel-Bulkley and Cross: below 1 the first two thin.</source>
+        <translation>幂律、Herschel-Bulkley 和 Cross 的指数 n：小于 1 时前两者变稀。</translation>
+    </message>
+    <message>
+        <source>Cohesion</source>
+        <translation>内聚力</translation>
+    </message>
+    <message>
+        <source>Stress below which it does not flow without pressure: cohesion, or the yield stress.</source>
+        <translation>无压力时低于此应力则不流动：内聚力或屈服应力。</translation>
+    </message>
+    <message>
+        <source>Friction angle</source>
+        <translation>摩擦角</translation>
+    </message>
+    <message>
+        <source>Angle of internal friction; its tangent times the pressure adds to the cohesion.</source>
+        <translation>内摩擦角；其正切乘以压力加到内聚力上。</translation>
+    </message>
+    <message>
+        <source>Viscosity at speed</source>
+        <translation>高速粘度</translation>
+    </message>
+    <message>
+        <source>That of a Cross fluid in fast shear.</source>
+        <translation>Cross 流体在快速剪切中的粘度。</translation>
+    </message>
+    <message>
+        <source>Cross factor</source>
+        <translation>Cross 系数</translation>
+    </message>
+    <message>
+        <source>Cross&apos; K in s^n: how early it changes.</source>
+        <translation>Cross 的 K，单位 s^n：变化来得多早。</translation>
+    </message>
+    <message>
+        <source>Least viscosity</source>
+        <translation>最小粘度</translation>
+    </message>
+    <message>
+        <source>The viscosity is held above this.</source>
+        <translation>粘度保持在此值之上。</translation>
+    </message>
+    <message>
+        <source>Largest viscosity</source>
+        <translation>最大粘度</translation>
+    </message>
+    <message>
+        <source>The viscosity is held below this: larger values creep less at rest and ask for more steps.</source>
+        <translation>粘度保持在此值之下：值越大静止时蠕动越少，需要的步数越多。</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>快速</translation>
+    </message>
+    <message>
+        <source>Accurate</source>
+        <translation>精确</translation>
+    </message>
+    <message>
+        <source>Summation</source>
+        <translation>求和</translation>
+    </message>
+    <message>
+        <source>Continuity</source>
+        <translation>连续性</translation>
+    </message>
+    <message>
+        <source>Friction by coefficient</source>
+        <translation>按系数摩擦</translation>
+    </message>
+    <message>
+        <source>Sticks</source>
+        <translation>粘附</translation>
+    </message>
+    <message>
+        <source>Slides freely</source>
+        <translation>自由滑动</translation>
+    </message>
+    <message>
+        <source>Friction coefficient of flow on this type of ground. Swiss guidelines give 0.155 to 0.35 for flowing snow (Salm, Burkard and Gubler 1990).</source>
+        <translation>流动在此类地面上的摩擦系数。瑞士指南对流动的雪给出 0.155 至 0.35（Salm、Burkard 和 Gubler 1990）。</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>间距</translation>
+    </message>
+    <message>
+        <source>Distance of particles at rest. Half of it takes eight times the particles and sixteen times the work.</source>
+        <translation>静止时粒子的间距。减半需要八倍的粒子和十六倍的计算量。</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>精度</translation>
+    </message>
+    <message>
+        <source>Particles act on others within 2 spacings (fast) or 3 (accurate, about three times the work).</source>
+        <translation>粒子的作用范围为 2 个间距（快速）或 3 个（精确，计算量约三倍）。</translation>
+    </message>
+    <message>
+        <source>Density by</source>
+        <translation>密度算法</translation>
+    </message>
+    <message>
+        <source>Summation over neighbours, or continuity with diffusion: quieter pressure, cheaper steps.</source>
+        <translation>对邻居求和，或带扩散的连续性方程：压力更平稳，步更省。</translation>
+    </message>
+    <message>
+        <source>Sound speed</source>
+        <translation>声速</translation>
+    </message>
+    <message>
+        <source>Stiffness of the flow: larger is less compressible and takes more steps; 0 finds it.</source>
+        <translation>流动的刚度：越大越不可压缩，需要的步数越多;0 自动确定。</translation>
+    </message>
+    <message>
+        <source>Longest step</source>
+        <translation>最长步长</translation>
+    </message>
+    <message>
+        <source>Time steps are never longer than this.</source>
+        <translation>时间步不会超过此值。</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Share of the neighbours&apos; velocity that a particle takes on (XSPH).</source>
+        <translation>粒子采纳的邻居速度份额（XSPH）。</translation>
+    </message>
+    <message>
+        <source>Viscosity cap</source>
+        <translation>粘度上限</translation>
+    </message>
+    <message>
+        <source>No viscosity is larger: less creep at rest asks for more steps; 0 finds one that leaves the step alone.</source>
+        <translation>粘度不超过此值：静止时蠕动越少需要的步数越多;0 自动取不缩短步长的值。</translation>
+    </message>
+    <message>
+        <source>Wind drag</source>
+        <translation>风阻</translation>
+    </message>
+    <message>
+        <source>Acceleration by the wind per square of the speed against it.</source>
+        <translation>相对风速平方所对应的风致加速度。</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>边距</translation>
+    </message>
+    <message>
+        <source>How far beyond the found reach of the flow the domain goes.</source>
+        <translation>区域超出所求流动范围的距离。</translation>
+    </message>
+    <message>
+        <source>Headroom</source>
+        <translation>上方空间</translation>
+    </message>
+    <message>
+        <source>How far the domain goes above ground and sources; what flies higher leaves.</source>
+        <translation>区域高出地面和源的距离；飞得更高的会离开。</translation>
+    </message>
+    <message>
+        <source>Domain from</source>
+        <translation>区域起点</translation>
+    </message>
+    <message>
+        <source>Lowest corner of the box that flow stays in; equal corners find the box from the terrain.</source>
+        <translation>流动所处长方体的最低角；两角相同则由地形确定。</translation>
+    </message>
+    <message>
+        <source>Domain to</source>
+        <translation>区域终点</translation>
+    </message>
+    <message>
+        <source>Highest corner of the box that flow stays in.</source>
+        <translation>流动所处长方体的最高角。</translation>
+    </message>
+    <message>
+        <source>Closed domain</source>
+        <translation>封闭区域</translation>
+    </message>
+    <message>
+        <source>The sides of the domain are smooth walls; otherwise flow leaves there.</source>
+        <translation>区域的侧面是光滑的墙；否则流动从那里离开。</translation>
+    </message>
+    <message>
+        <source>Ground holds by</source>
+        <translation>地面阻力方式</translation>
+    </message>
+    <message>
+        <source>How the ground holds what flows over it.</source>
+        <translation>地面如何阻滞流过的东西。</translation>
+    </message>
+    <message>
+        <source>Turbulent friction</source>
+        <translation>湍流摩擦</translation>
+    </message>
+    <message>
+        <source>Voellmy&apos;s xi: the ground also holds by density times gravity times speed squared over xi; 0 is none. Published values are 400 to 4000 (Salm, Burkard and Gubler 1990).</source>
+        <translation>Voellmy 的 xi：地面还以密度乘重力乘速度平方除以 xi 阻滞;0 表示没有。发表值为 400 至 4000（Salm、Burkard 和 Gubler 1990）。</translation>
+    </message>
+    <message>
+        <source>Friction on quartz</source>
+        <translation>石英上的摩擦</translation>
+    </message>
+    <message>
+        <source>Friction on sand</source>
+        <translation>沙上的摩擦</translation>
+    </message>
+    <message>
+        <source>Friction on soil</source>
+        <translation>土壤上的摩擦</translation>
+    </message>
+    <message>
+        <source>Friction on vegetation</source>
+        <translation>植被上的摩擦</translation>
+    </message>
+    <message>
+        <source>Friction on rock</source>
+        <translation>岩石上的摩擦</translation>
+    </message>
+    <message>
+        <source>Friction on ice</source>
+        <translation>冰上的摩擦</translation>
+    </message>
+    <message>
+        <source>Friction on asphalt</source>
+        <translation>沥青上的摩擦</translation>
+    </message>
+    <message>
+        <source>Friction on water</source>
+        <translation>水上的摩擦</translation>
+    </message>
+    <message>
+        <source>Flow material</source>
+        <translation>流动材料</translation>
+    </message>
+    <message>
+        <source>Numbers of a custom material that flows.</source>
+        <translation>自定义流动材料的数值。</translation>
+    </message>
+    <message>
+        <source>Flow settings</source>
+        <translation>流动设置</translation>
+    </message>
+    <message>
+        <source>How avalanches and water are computed.</source>
+        <translation>如何计算雪崩和水。</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速率</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>压力</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Shear rate</source>
+        <translation>剪切率</translation>
+    </message>
+    <message>
+        <source>Particle class</source>
+        <translation>粒子类别</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>年龄</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>邻居数</translation>
+    </message>
+    <message>
+        <source>Within the flow</source>
+        <translation>流动内部</translation>
+    </message>
+    <message>
+        <source>Isolated</source>
+        <translation>孤立</translation>
+    </message>
+    <message>
+        <source>At the surface</source>
+        <translation>表面</translation>
+    </message>
+    <message>
+        <source>Flow shows</source>
+        <translation>流动显示</translation>
+    </message>
+    <message>
+        <source>What the colours of flowing particles tell. Material draws snow as snow and water as water.</source>
+        <translation>流动粒子的颜色表示什么。材料模式把雪画成雪、把水画成水。</translation>
+    </message>
+    <message>
+        <source>Range of the frame</source>
+        <translation>按帧取范围</translation>
+    </message>
+    <message>
+        <source>Spread the colours over what the frame&apos;s particles have; off takes the range below.</source>
+        <translation>颜色铺满该帧粒子的取值；关闭则用下面的范围。</translation>
+    </message>
+    <message>
+        <source>Range from</source>
+        <translation>范围下限</translation>
+    </message>
+    <message>
+        <source>Value of the darkest colour, in the unit that the legend shows.</source>
+        <translation>最暗颜色的值，单位同图例。</translation>
+    </message>
+    <message>
+        <source>Range to</source>
+        <translation>范围上限</translation>
+    </message>
+    <message>
+        <source>Value of the brightest colour, in the unit that the legend shows.</source>
+        <translation>最亮颜色的值，单位同图例。</translation>
+    </message>
+    <message>
+        <source>Logarithmic colours</source>
+        <translation>对数颜色</translation>
+    </message>
+    <message>
+        <source>Each step of colour multiplies the value: for viscosity and shear rate. Needs values above 0.</source>
+        <translation>每级颜色按倍数增长：适用于粘度和剪切率。数值须大于 0。</translation>
+    </message>
+    <message>
+        <source>Show legend</source>
+        <translation>显示图例</translation>
+    </message>
+    <message>
+        <source>Print what the colours mean where they stand for values.</source>
+        <translation>在颜色代表数值时标出其含义。</translation>
+    </message>
+    <message>
+        <source>Show boundary particles</source>
+        <translation>显示边界粒子</translation>
+    </message>
+    <message>
+        <source>Draw the particles that stand for moving bodies.</source>
+        <translation>绘制代表运动物体的粒子。</translation>
+    </message>
+    <message>
+        <source>Pause snow</source>
+        <translation>暂停降雪</translation>
+    </message>
+    <message>
+        <source>While it is on, falling snow and cover stand still and everything else goes on.</source>
+        <translation>开启期间，降雪和积雪静止，其余照常进行。</translation>
+    </message>
+    <message>
+        <source>Pause flow</source>
+        <translation>暂停流动</translation>
+    </message>
+    <message>
+        <source>While it is on, avalanches, water and bodies stand still and everything else goes on.</source>
+        <translation>开启期间，雪崩、水和物体静止，其余照常进行。</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>
@@ -1335,10 +2031,6 @@
         <translation>缩放</translation>
     </message>
     <message>
-        <source>Paint ground types</source>
-        <translation>绘制地面类型</translation>
-    </message>
-    <message>
         <source>Local axes</source>
         <translation>局部坐标轴</translation>
     </message>
@@ -1438,6 +2130,102 @@
         <source>&lt;h3&gt;Spindrift %1&lt;/h3&gt;&lt;p&gt;Editor and simulator of winter scenes.&lt;/p&gt;&lt;p&gt;Apache License 2.0. What it builds on is listed in the file NOTICE.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Spindrift %1&lt;/h3&gt;&lt;p&gt;冬季场景的编辑与模拟。&lt;/p&gt;&lt;p&gt;Apache 许可证 2.0。所用组件列于 NOTICE 文件。&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Flo&amp;w shows</source>
+        <translation>流动显示(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Boundary particles</source>
+        <translation>边界粒子(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>暂停(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Hold the simulation; it goes on where it was</source>
+        <translation>暂停模拟；之后从原处继续</translation>
+    </message>
+    <message>
+        <source>S&amp;ingle step</source>
+        <translation>单步(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Hold the simulation and compute one frame further</source>
+        <translation>暂停模拟并再计算一帧</translation>
+    </message>
+    <message>
+        <source>Pause s&amp;now from here</source>
+        <translation>从此处暂停雪(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Snowfall and cover stand still from the shown frame on</source>
+        <translation>从所示帧起降雪和积雪静止</translation>
+    </message>
+    <message>
+        <source>Pause &amp;flow from here</source>
+        <translation>从此处暂停流动(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Avalanches, water and bodies stand still from the shown frame on</source>
+        <translation>从所示帧起雪崩、水和物体静止</translation>
+    </message>
+    <message>
+        <source>Reset the simulation</source>
+        <translation>重置模拟</translation>
+    </message>
+    <message>
+        <source>All simulated frames of this scene are thrown away, in memory and on disk, and the simulation starts again at the first frame.</source>
+        <translation>此场景所有已模拟的帧（内存和磁盘）都将丢弃，模拟从第一帧重新开始。</translation>
+    </message>
+    <message>
+        <source>&amp;Reset...</source>
+        <translation>重置(&amp;R)...</translation>
+    </message>
+    <message>
+        <source>Throw away all simulated frames and start again</source>
+        <translation>丢弃所有已模拟的帧并重新开始</translation>
+    </message>
+    <message>
+        <source>Paint ground types, or the area of the selected release</source>
+        <translation>绘制地面类型，或所选释放区的面积</translation>
+    </message>
+    <message>
+        <source>Draw the outline of a release</source>
+        <translation>绘制释放区轮廓</translation>
+    </message>
+    <message>
+        <source>What the brush does to the area of the selected release</source>
+        <translation>画笔对所选释放区面积的作用</translation>
+    </message>
+    <message>
+        <source>Release here</source>
+        <translation>在此释放</translation>
+    </message>
+    <message>
+        <source>Shift while dragging a handle of flow</source>
+        <translation>拖动流动手柄时按 Shift</translation>
+    </message>
+    <message>
+        <source>Up and down instead of along the ground</source>
+        <translation>上下移动而不沿地面</translation>
+    </message>
+    <message>
+        <source>Click with the outline tool</source>
+        <translation>用轮廓工具单击</translation>
+    </message>
+    <message>
+        <source>Add a corner; on a side, put one in</source>
+        <translation>添加角点；在边上则插入</translation>
+    </message>
+    <message>
+        <source>Delete over a corner</source>
+        <translation>在角点上按 Delete</translation>
+    </message>
+    <message>
+        <source>Take the corner out</source>
+        <translation>移除角点</translation>
+    </message>
 </context>
 <context>
     <name>spin::MainWindow</name>
@@ -1507,6 +2295,10 @@
             <numerusform>已打开恢复的场景；命令行中的 %n 个文件未打开。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Stages</source>
+        <translation>阶段</translation>
+    </message>
 </context>
 <context>
     <name>spin::OutlinerPanel</name>
@@ -1552,10 +2344,25 @@
     </message>
 </context>
 <context>
+    <name>spin::PointsEditor</name>
+    <message>
+        <source>east north; east north; ...</source>
+        <translation>东 北；东 北；...</translation>
+    </message>
+</context>
+<context>
     <name>spin::PropertyPanel</name>
     <message>
         <source>Nothing is selected</source>
         <translation>未选择任何内容</translation>
+    </message>
+    <message>
+        <source>Make rigid body</source>
+        <translation>设为刚体</translation>
+    </message>
+    <message>
+        <source>Make this model solid for avalanches and water, or show the body that does so</source>
+        <translation>使此模型对雪崩和水成为固体，或显示已有的刚体</translation>
     </message>
 </context>
 <context>
@@ -1645,6 +2452,30 @@
         <source>Set keys</source>
         <translation>设置关键帧</translation>
     </message>
+    <message>
+        <source>Draw release outline</source>
+        <translation>绘制释放区轮廓</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>添加 %1</translation>
+    </message>
+    <message>
+        <source>Change pictures</source>
+        <translation>更改图片设置</translation>
+    </message>
+    <message>
+        <source>Pause process</source>
+        <translation>暂停过程</translation>
+    </message>
+    <message>
+        <source>Let process go on</source>
+        <translation>让过程继续</translation>
+    </message>
+    <message>
+        <source>Make rigid body</source>
+        <translation>设为刚体</translation>
+    </message>
 </context>
 <context>
     <name>spin::SimulationController</name>
@@ -1655,6 +2486,73 @@
     <message>
         <source>Stale frames deleted.</source>
         <translation>过期帧已删除。</translation>
+    </message>
+</context>
+<context>
+    <name>spin::StagePanel</name>
+    <message>
+        <source>Frame %1</source>
+        <translation>第 %1 帧</translation>
+    </message>
+    <message>
+        <source>No frame is simulated yet</source>
+        <translation>尚未模拟任何帧</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 毫秒</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>All stages</source>
+        <translation>所有阶段</translation>
+    </message>
+    <message>
+        <source>Computed on</source>
+        <translation>计算设备</translation>
+    </message>
+    <message>
+        <source>Mass: %1</source>
+        <translation>质量：%1</translation>
+    </message>
+    <message>
+        <source>%1 kg</source>
+        <translation>%1 kg</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>占比</translation>
+    </message>
+    <message>
+        <source>Calls</source>
+        <translation>调用</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Copy both tables as text</source>
+        <translation>将两张表复制为文本</translation>
     </message>
 </context>
 <context>
@@ -1706,6 +2604,32 @@
     <message>
         <source>%1 ms</source>
         <translation>%1 毫秒</translation>
+    </message>
+    <message>
+        <source>%1 particles</source>
+        <translation>%1 个粒子</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>约 %1</translation>
+    </message>
+    <message>
+        <source>%1 of memory</source>
+        <translation>内存 %1</translation>
+    </message>
+    <message>
+        <source>%1 on disk</source>
+        <translation>磁盘 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s): %1</source>
+        <translation>
+            <numerusform>%n 帧：%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What the frames that are not simulated yet will take</source>
+        <translation>尚未模拟的帧需要多少资源</translation>
     </message>
 </context>
 <context>

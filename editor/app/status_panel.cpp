@@ -38,11 +38,14 @@ QString stageSummary(const std::vector<StageTime>& stages, int frames) {
 
 QString estimateText(const RunEstimate& need) {
   if (need.framesToCompute < 1) return {};
-  const QString memory = bytesText(need.memoryBytes), disk = bytesText(need.diskBytes);
-  const int n = need.framesToCompute;
-  return need.diskBytes > 0.0
-             ? StatusPanel::tr("%n frame(s): %1 of memory, %2 on disk", nullptr, n).arg(memory, disk)
-             : StatusPanel::tr("%n frame(s): %1 of memory", nullptr, n).arg(memory);
+  QStringList parts;
+  if (need.particles >= 1.0)
+    parts << StatusPanel::tr("%1 particles").arg(QLocale().toString(need.particles, 'f', 0));
+  if (need.seconds >= 1.0) parts << StatusPanel::tr("about %1").arg(durationText(need.seconds));
+  parts << StatusPanel::tr("%1 of memory").arg(bytesText(need.memoryBytes));
+  if (need.diskBytes > 0.0) parts << StatusPanel::tr("%1 on disk").arg(bytesText(need.diskBytes));
+  return StatusPanel::tr("%n frame(s): %1", nullptr, need.framesToCompute)
+      .arg(parts.join(QStringLiteral(", ")));
 }
 
 QString stageTable(const std::vector<StageTime>& stages) {

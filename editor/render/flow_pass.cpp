@@ -17,6 +17,9 @@ constexpr double kEnoughPixels = 9.0;
 constexpr double kCoarsest = 0.5;
 constexpr float kScatter = 0.3f;  // radii by which drawn particles stand off their places at most
 constexpr std::size_t kSample = 2000;
+/// Particles that a moving view and shadows draw at most; fewer are drawn larger.
+constexpr std::size_t kMostMoving = 60'000, kMostCasting = 100'000;
+constexpr double kMovingQuality = 0.8;
 constexpr std::size_t kDustShare = 6;  // one of so many particles raises dust for all of them
 /// Volume of a particle at rest over that of its drawn sphere.
 constexpr double kFilled = 1.0 / (4.0 / 3.0 * 3.14159265358979 * kRadius * kRadius * kRadius);
@@ -36,6 +39,16 @@ Status buildInto(GlProgram& program, const char* vertex, const char* fragment, c
 float rise(double low, double high, double value) {
   const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
   return static_cast<float>(t * t * (3.0 - 2.0 * t));
+}
+
+/// One of so many of `count` particles, so that at most `most` are drawn.
+std::size_t strideFor(std::size_t count, std::size_t most) {
+  return std::max<std::size_t>(1, (count + most - 1) / most);
+}
+
+/// Distance of particles of which one of `stride` is left instead of one of `usual`.
+double spacingOf(double spacing, std::size_t stride, std::size_t usual) {
+  return spacing * std::cbrt(static_cast<double>(stride) / static_cast<double>(usual));
 }
 
 struct Traits {
@@ -193,17 +206,18 @@ void FlowPass::uploadLooks(const RenderNode& settings) {
   upload(m_looks, looks.data(), looks.size() * sizeof(Vec4f));
 }
 
-void FlowPass::drawParticles(const GlProgram& program, int width, int height, std::size_t count,
+void FlowPass::drawParticles(const GlProgram& program, int width, int height, const Points& points,
                              const DrawContext& context) const {
   const double scale = m_targets.scale * width / m_targets.width;
   const double pixels = context.pixelsPerUnit * scale;
   const bool values = m_scale.shows != FlowDisplay::Material;
   program.use();
-  program.set("uFlow", static_cast<float>(kRadius * m_spacing), static_cast<float>(pixels),
+  program.set("uFlow", static_cast<float>(kRadius * points.spacing), static_cast<float>(pixels),
               static_cast<float>(kSmallestPixels), values ? 0.0f : kScatter);
   const auto inner = [&](int picture, int target) {
     return static_cast<float>(picture * m_targets.scale / target);
   };
+  program.set("uStride", static_cast<int>(points.stride));
   program.set("uScale", inner(context.options.width, m_targets.width),
               inner(context.options.height, m_targets.height), 0.0f, 0.0f);
   glViewport(0, 0, width, height);
@@ -211,7 +225,7 @@ void FlowPass::drawParticles(const GlProgram& program, int width, int height, st
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, m_positions.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, m_looks.id());
   glEnable(GL_PROGRAM_POINT_SIZE);
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(count));
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(points.count / points.stride));
   glDisable(GL_PROGRAM_POINT_SIZE);
 }
 
@@ -219,8 +233,10 @@ void FlowPass::prepare(const DrawContext& context) {
   if (empty()) return;
   uploadLooks(context.scene.settings<RenderNode>(context.filmTime));
   std::vector<double> key(context.block.viewProjection.begin(), context.block.viewProjection.end());
-  key.insert(key.end(), {m_revision, m_looksRevision, static_cast<double>(context.options.width),
-                         static_cast<double>(context.options.height), m_boundaryShown ? 1.0 : 0.0});
+  key.insert(key.end(),
+             {m_revision, m_looksRevision, static_cast<double>(context.options.quality < kMovingQuality),
+              static_cast<double>(context.options.width), static_cast<double>(context.options.height),
+              m_boundaryShown ? 1.0 : 0.0});
   if (key == m_preparedKey) return;
   m_preparedKey = std::move(key);
   m_pixels = pixelsOf(m_allBounds, context.block.viewProjection, context.options.width,
@@ -237,6 +253,13 @@ void FlowPass::prepare(const DrawContext& context) {
   }
 }
 
+/// All particles, or fewer and larger ones while the view moves.
+FlowPass::Points FlowPass::drawnPoints(double quality) const {
+  const std::size_t count = m_boundaryShown ? m_count : m_count - m_boundaryCount;
+  const std::size_t stride = quality < kMovingQuality ? strideFor(count, kMostMoving) : 1;
+  return {count, stride, spacingOf(m_spacing, stride, 1)};
+}
+
 /// Distances and thickness of the particles, then the smooth surface.
 void FlowPass::drawSurface(const DrawContext& context) {
   const float nothing[4] = {}, far = 0.0f;
@@ -244,29 +267,30 @@ void FlowPass::drawSurface(const DrawContext& context) {
   glClearNamedFramebufferfv(m_targets.rawFramebuffer.id(), GL_DEPTH, 0, &far);
   glDepthFunc(GL_GEQUAL);
   glBindFramebuffer(GL_FRAMEBUFFER, m_targets.rawFramebuffer.id());
-  const std::size_t drawn = m_boundaryShown ? m_count : m_count - m_boundaryCount;
-  drawParticles(m_distanceProgram, m_targets.width, m_targets.height, drawn, context);
+  const Points points = drawnPoints(context.options.quality);
+  drawParticles(m_distanceProgram, m_targets.width, m_targets.height, points, context);
   glDisable(GL_DEPTH_TEST);
   if (m_scale.shows == FlowDisplay::Material) {
     m_thicknessProgram.set("uFilled", static_cast<float>(kFilled));
-    gather(m_thicknessProgram, m_targets.thicknessFramebuffer, drawn, context);
-    m_dustProgram.set("uShare", static_cast<int>(kDustShare));
+    gather(m_thicknessProgram, m_targets.thicknessFramebuffer, points, context);
+    const std::size_t share = std::max(kDustShare, 2 * points.stride);
     if (m_dusty)
-      gather(m_dustProgram, m_targets.dustFramebuffer, m_flow->particles.size() / kDustShare, context);
+      gather(m_dustProgram, m_targets.dustFramebuffer,
+             {m_flow->particles.size(), share, spacingOf(m_spacing, share, kDustShare)}, context);
   }
   smooth(context);
   glEnable(GL_DEPTH_TEST);
 }
 
 /// Adds up what all particles lay over a pixel.
-void FlowPass::gather(const GlProgram& program, const GlFramebuffer& target, std::size_t count,
+void FlowPass::gather(const GlProgram& program, const GlFramebuffer& target, const Points& points,
                       const DrawContext& context) const {
   const float nothing[4] = {};
   glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, nothing);
   glBindFramebuffer(GL_FRAMEBUFFER, target.id());
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  drawParticles(program, m_targets.halfWidth(), m_targets.halfHeight(), count, context);
+  drawParticles(program, m_targets.halfWidth(), m_targets.halfHeight(), points, context);
   glDisable(GL_BLEND);
 }
 
@@ -353,11 +377,14 @@ void FlowPass::drawDepth(const Matrix4& light, double texelsPerMetre) const {
   m_depthProgram.use();
   m_depthProgram.setMatrix("uLightModel", light);
   m_depthProgram.set("uCutout", 0.0f);
-  m_depthProgram.set("uSize", static_cast<float>(std::clamp(texelsPerMetre * m_spacing, 1.0, 64.0)));
+  const std::size_t stride = strideFor(m_flow->particles.size(), kMostCasting);
+  const double texels = texelsPerMetre * spacingOf(m_spacing, stride, 1);
+  m_depthProgram.set("uSize", static_cast<float>(std::clamp(texels, 1.0, 64.0)));
+  m_depthProgram.set("uStride", static_cast<int>(stride));
   glBindVertexArray(m_vertexArray.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, m_positions.id());
   glEnable(GL_PROGRAM_POINT_SIZE);
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(m_flow->particles.size()));
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(m_flow->particles.size() / stride));
   glDisable(GL_PROGRAM_POINT_SIZE);
 }
 

@@ -41,9 +41,15 @@ class FlowPass {
 
  private:
   void uploadLooks(const RenderNode& settings);
-  void drawParticles(const GlProgram& program, int width, int height, std::size_t count,
+  /// Which particles are drawn: one of `stride`, with the spacing that they have then.
+  struct Points {
+    std::size_t count, stride;
+    double spacing;
+  };
+  Points drawnPoints(double quality) const;
+  void drawParticles(const GlProgram& program, int width, int height, const Points& points,
                      const DrawContext& context) const;
-  void gather(const GlProgram& program, const GlFramebuffer& target, std::size_t count,
+  void gather(const GlProgram& program, const GlFramebuffer& target, const Points& points,
               const DrawContext& context) const;
   void drawDust() const;
   void smooth(const DrawContext& context);

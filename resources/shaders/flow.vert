@@ -5,11 +5,12 @@ layout(std430, binding = 0) readonly buffer Positions { float positions[]; };
 layout(std430, binding = 1) readonly buffer Looks { vec4 looks[]; };
 uniform vec4 uFlow;   // radius (m), pixels that 1 m covers at 1 m, smallest radius (px), scatter (radii)
 uniform vec4 uScale;  // of clip x and y for the margins
+uniform int uStride;  // one of so many particles is drawn
 flat out vec4 vLook;    // place on the scale, share of water, foam, looseness
 flat out vec4 vSphere;  // distance before the eye (m), radius (m), share of the disc that it really covers
 
 void main() {
-  int k = gl_VertexID;
+  int k = gl_VertexID * uStride;
   // Rows in which particles were laid out would be seen as furrows.
   vec3 moved = scatter(uint(k)) * (uFlow.w * uFlow.x);
   vec4 clip = uViewProjection * vec4(vec3(positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]) + moved, 1.0);

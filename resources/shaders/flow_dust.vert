@@ -5,11 +5,11 @@ layout(std430, binding = 0) readonly buffer Positions { float positions[]; };
 layout(std430, binding = 1) readonly buffer Looks { vec4 looks[]; };
 uniform vec4 uFlow;   // radius (m), pixels that 1 m covers at 1 m, unused
 uniform vec4 uScale;  // of clip x and y for the margins
-uniform int uShare;
+uniform int uStride;
 flat out vec4 vPuff;  // distance before the eye (m), opacity, place in the noise
 
 void main() {
-  int k = gl_VertexID * uShare;
+  int k = gl_VertexID * uStride;
   vec3 random = scatter(uint(k));
   float dust = looks[k].y > 0.5 ? 0.0 : looks[k].z;
   float radius = uFlow.x * (3.2 + 1.4 * random.x) * (0.5 + 0.5 * dust);

@@ -270,6 +270,11 @@ class FlowWindowTest : public QObject {
     QVERIFY(!estimateText(need).contains(QStringLiteral("disk")));
     need.diskBytes = 5e6;
     QVERIFY(estimateText(need).contains(QStringLiteral("disk")));
+    QVERIFY(!estimateText(need).contains(QStringLiteral("particles")));
+    need.particles = 34000;
+    need.seconds = 200;
+    QVERIFY(estimateText(need).contains(QStringLiteral("particles")));
+    QVERIFY(estimateText(need).contains(QStringLiteral("about")));
     Fixture f;
     QSignalSpy told(&f.window.simulation(), &SimulationController::estimated);
     QVERIFY(!f.addAsset(kTerrainType, "land.tif").empty());
