@@ -16,7 +16,8 @@ ENTRY = re.compile(r"Compiling entry function '(\S+)'")
 MEMORY = re.compile(r"(\d+) bytes stack frame, (\d+) bytes spill stores, (\d+) bytes spill loads")
 REGISTERS = re.compile(r"Used (\d+) registers")
 REQUIRED = ("DensityPass", "ShearPass", "PlainForcePass", "SmoothForcePass", "ContinuityForcePass", "SmoothContinuityForcePass", "IntegrateKernel", "PressureKernel",
-            "BodyDensityKernel", "BodyRateKernel", "BodyPressureKernel", "BodyRubKernel", "BodyReactionKernel")
+            "BodyDensityKernel", "BodyRateKernel", "BodyPressureKernel", "BodyRubKernel", "BodyReactionKernel",
+            "ConstraintPass", "DivergencePass", "PressurePushPass", "ViscousProductPass", "StressPass")
 
 
 def kernels(report):
