@@ -17,6 +17,13 @@
 #define SPIN_HD_INLINE inline __attribute__((always_inline))
 #endif
 
+// The same for a lambda, after its parameters.
+#if defined(__CUDACC__)
+#define SPIN_INLINE_LAMBDA
+#else
+#define SPIN_INLINE_LAMBDA __attribute__((always_inline))
+#endif
+
 // Tells the compiler that a loop's iterations are independent; ignored where it has no meaning.
 #if defined(__CUDACC__)
 #define SPIN_SIMD_LOOP

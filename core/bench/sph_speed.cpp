@@ -63,8 +63,9 @@ DamBreak damBreak(int particles, bool shears) {
 }
 
 struct StepTime {
-  double wall = 0.0;  ///< s
-  double cpu = 0.0;   ///< s, all threads together
+  double wall = 0.0;       ///< s
+  double cpu = 0.0;        ///< s, all threads together
+  double simulated = 0.0;  ///< s
 };
 
 /// Median wall time of a batch of steps, and the processor time of all; asking for the timings waits for a
@@ -76,17 +77,21 @@ Result<StepTime> timePerStep(FlowSolver& solver) {
   solver.timings().clear();
   std::vector<double> batches;
   const std::clock_t cpuStart = std::clock();
+  double simulated = 0.0;
   for (int b = 0; b < kBatches; ++b) {
     const auto start = std::chrono::steady_clock::now();
-    for (int s = 0; s < kSteps; ++s)
-      if (const Result<FlowStep> ok = solver.step(1.0); !ok) return ok.error();
+    for (int s = 0; s < kSteps; ++s) {
+      const Result<FlowStep> done = solver.step(1.0);
+      if (!done) return done.error();
+      simulated += done->seconds;
+    }
     solver.timings();
     batches.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() /
                       kSteps);
   }
   std::nth_element(batches.begin(), batches.begin() + kBatches / 2, batches.end());
   const double cpu = static_cast<double>(std::clock() - cpuStart) / CLOCKS_PER_SEC;
-  return StepTime{batches[kBatches / 2], cpu / (kBatches * kSteps)};
+  return StepTime{batches[kBatches / 2], cpu / (kBatches * kSteps), simulated / (kBatches * kSteps)};
 }
 
 double largestDensityError(const FlowSolver& solver, double restDensity) {
@@ -97,6 +102,31 @@ double largestDensityError(const FlowSolver& solver, double restDensity) {
   return largest;
 }
 
+/// The collapse by the implicit pressure, from the start to a developed flow.
+struct ImplicitRun {
+  double simulated = 0.0, wall = 0.0;  ///< s
+  int steps = 0, iterations = 0, unreached = 0;
+  double compression = 0.0;  ///< largest mean over particles after the first steps
+};
+
+Result<ImplicitRun> runImplicit(FlowSolver& solver, double seconds) {
+  ImplicitRun run;
+  solver.timings().clear();
+  const auto start = std::chrono::steady_clock::now();
+  while (run.simulated < seconds) {
+    const Result<FlowStep> done = solver.step(1.0);
+    if (!done) return done.error();
+    run.simulated += done->seconds;
+    ++run.steps;
+    run.iterations += done->pressure.iterations;
+    run.unreached += done->pressure.reached ? 0 : 1;
+    if (run.simulated > 0.2 * seconds) run.compression = worse(run.compression, done->compression);
+  }
+  solver.timings();
+  run.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return run;
+}
+
 /// At 200,000 particles on two threads; 0 = none.
 double rateBar(std::size_t particles, int threads, const std::string& isa, bool shears) {
   if (threads != 2 || particles < 150'000 || particles > 250'000) return 0.0;
@@ -104,7 +134,42 @@ double rateBar(std::size_t particles, int threads, const std::string& isa, bool 
   return isa == isaName(Isa::Avx2) && !shears ? 5e6 : 0.0;
 }
 
+void addStages(FlowSolver& solver, BenchRow& row) {
+  double total = 0.0;
+  const std::vector<StageTime> stages = solver.timings().table();
+  for (const StageTime& stage : stages) total += stage.seconds;
+  for (const StageTime& stage : stages)
+    row.addTime("share_" + stage.name, 100.0 * stage.seconds / total, "%");
+}
+
+Result<BenchRow> measureImplicit(const DamBreak& scene, FlowSolver& solver, int threads,
+                                 const std::string& isa) {
+  constexpr double kSeconds = 0.3;
+  const BenchMeter meter;
+  BenchRow row;
+  const double n = static_cast<double>(scene.particles.size());
+  if (const Status ok = solver.add(scene.particles); !ok) return ok.error();
+  const Result<ImplicitRun> run = runImplicit(solver, kSeconds);
+  if (!run) return run.error();
+  row.caseId = "sph-speed";
+  row.settings = {{"particles", fmt::format("{}", scene.particles.size())}, {"solver", "implicit, 1 %"}};
+  row.addTime("seconds_per_simulated_second", run->wall / run->simulated, "1");
+  row.addTime("particle_steps_per_second", n * run->steps / run->wall, "1/s");
+  row.addFigure("iterations_per_step", static_cast<double>(run->iterations) / run->steps, "1");
+  row.addFigure("steps_not_converged", run->unreached, "1");
+  row.addFigure("seconds_per_step", run->simulated / run->steps, "s");
+  row.addError("mean_compression", run->compression, "1", scene.config.densityError);
+  row.addFigure("bytes_per_particle", static_cast<double>(solver.bytes()) / n, "B");
+  addStages(solver, row);
+  meter.finish(row);
+  row.device = solver.device();
+  row.isa = isa;
+  row.threads = threads;
+  return row;
+}
+
 Result<BenchRow> measure(const DamBreak& scene, FlowSolver& solver, int threads, const std::string& isa) {
+  if (scene.config.pressure == PressureMode::Implicit) return measureImplicit(scene, solver, threads, isa);
   const BenchMeter meter;
   BenchRow row;
   const double n = static_cast<double>(scene.particles.size());
@@ -120,6 +185,7 @@ Result<BenchRow> measure(const DamBreak& scene, FlowSolver& solver, int threads,
     row.addRate("particle_steps_per_second", rate, "1/s", bar);
   else
     row.addTime("particle_steps_per_second", rate, "1/s");
+  row.addTime("seconds_per_simulated_second", time->wall / time->simulated, "1");
   // Says on a busy machine what a free one would do; a card has its own clock.
   if (std::string_view(solver.device()) == "cpu")
     row.addTime("particle_steps_per_cpu_second", n / time->cpu, "1/s");
@@ -127,17 +193,15 @@ Result<BenchRow> measure(const DamBreak& scene, FlowSolver& solver, int threads,
   // Compression beyond a tenth would mean that the scene, or the solver, has blown up.
   row.addError("largest_compression", largestDensityError(solver, scene.config.materials[0].restDensity), "1",
                0.1);
-  double total = 0.0;
-  const std::vector<StageTime> stages = solver.timings().table();
-  for (const StageTime& stage : stages) total += stage.seconds;
-  for (const StageTime& stage : stages)
-    row.addTime("share_" + stage.name, 100.0 * stage.seconds / total, "%");
+  addStages(solver, row);
   meter.finish(row);
   row.device = solver.device();
   row.isa = isa;
   row.threads = threads;
   return row;
 }
+
+enum class Kind { Newtonian, Shears, Implicit };
 
 BenchRow skippedRow(const std::string& why) {
   BenchRow row;
@@ -190,9 +254,11 @@ Result<std::vector<BenchRow>> run(const BenchOptions& options) {
       options.quick ? std::vector<int>{50000, 200000} : std::vector<int>{50000, 200000, 1000000, 4000000};
   std::vector<BenchRow> rows;
   for (const int size : sizes)
-    for (const bool shears : {false, true}) {
-      if (shears && size != 200000) continue;
-      const DamBreak scene = damBreak(size, shears);
+    for (const Kind kind : {Kind::Newtonian, Kind::Shears, Kind::Implicit}) {
+      if (kind == Kind::Shears && size != 200000) continue;
+      if (kind == Kind::Implicit && size > (options.quick ? 50000 : 200000)) continue;
+      DamBreak scene = damBreak(size, kind == Kind::Shears);
+      if (kind == Kind::Implicit) scene.config.pressure = PressureMode::Implicit;
       if (options.device != "cpu")
         if (const Status ok = addCudaRows(options, scene, rows); !ok) return ok.error();
       if (options.device != "cuda")

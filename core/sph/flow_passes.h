@@ -79,7 +79,8 @@ SPIN_HD_INLINE void addWallGradients(const FlowView& v, std::size_t i, GradientS
   const FlowConstants& c = v.constants;
   const float metres = 1.0f / c.unitsPerMetre;
   v.walls.near(static_cast<float>(v.x[i]) * metres, static_cast<float>(v.y[i]) * metres,
-               static_cast<float>(v.z[i]) * metres, c.support, [&](const WallContact& wall) {
+               static_cast<float>(v.z[i]) * metres, c.support,
+               [&](const WallContact& wall) SPIN_INLINE_LAMBDA {
                  const PairRecord& r = v.record[i];
                  const float distance = maximum(wall.distance, kLeastWallDistance * c.spacing);
                  addWallGradient(wall, wall.distance / c.support, distance,
@@ -166,7 +167,7 @@ struct ForcePass : OwnVelocity<Lanes> {
         pressure(own.load(v.record, &PairRecord::pressureTerm)),
         viscosity(own.load(v.record, &PairRecord::viscosity)),
         density(own.load(v.record, &PairRecord::restDensity)),
-        drag(T(v.constants.viscousFactor / v.constants.gradientFactor)) {
+        drag(T(v.constants.pairDrag * v.constants.viscousFactor / v.constants.gradientFactor)) {
     if constexpr (Continuity) excess = own.load(v.excess);
   }
   SPIN_HD_INLINE void add(const FlowView& v, const PairVector<T>& offset, std::uint32_t j) {

@@ -110,12 +110,15 @@ class FlowSolverOn final : public FlowSolver {
     m_config = config;
     m_config.walls = std::move(walls);
     m_view.constants = fresh.constants;
-    m_viscousFactor = fresh.constants.viscousFactor;
     m_view.walls = fresh.walls;
     m_view.sinks = fresh.sinks;
     m_meshes.point(m_view.walls);
-    point();
-    return {};
+    return guarded([&]() -> Status {
+      // Other forms of pressure and viscosity need other arrays.
+      if (m_view.count > 0) allocate(m_view.count);
+      point();
+      return {};
+    });
   }
 
   void sample(bool on) override { m_sampling = on; }
@@ -190,6 +193,7 @@ class FlowSolverOn final : public FlowSolver {
   static constexpr double kMostRows = 67108864.0;
   /// Auto: viscosity is implicit where its explicit step is below this share of the others.
   static constexpr double kImplicitBelow = 0.5;
+  static constexpr double kSpreadSteps = 8.0;
   /// Implicit pressure: share of forceFactor that binds the step. Columns at rest stay quiet below it.
   static constexpr double kImplicitForce = 0.4;
 
@@ -377,12 +381,20 @@ class FlowSolverOn final : public FlowSolver {
     if (limits.step.broken != UINT32_MAX) return notFinite(limits.step.broken, "density");
     done.compression = limits.excess / m_view.count;
     done.largestCompression = static_cast<double>(limits.largest);
+    // What goes far is compressed by more than its velocities foresee: where that is too much, go less far.
+    const double room = m_config.densityError / std::max(done.compression, 1e-12);
+    limits.step.sound *= static_cast<float>(std::clamp(0.7 * room, 0.25, 1.0));
     if (const double gravity = length(m_config.gravity); gravity > 0.0)
       limits.step.force =
           static_cast<float>(kImplicitForce * m_config.forceFactor * std::sqrt(m_config.spacing / gravity));
     const bool solves = chooseViscosity(limits.step, done);
+    const double asked = done.seconds;
     chooseStep(limits.step, solves, done);
+    spreadStep(asked, done);
     m_kick = m_lastStep = done.seconds;
+    const double longest =
+        std::min(static_cast<double>(limits.step.sound), static_cast<double>(limits.step.force));
+    const double share = std::isfinite(longest) ? done.seconds / longest : done.seconds / asked;
     const auto kick = static_cast<float>(done.seconds);
     m_view.constants.timeStep = kick;
     m_view.pressureSolve.timeStep = kick;
@@ -395,7 +407,7 @@ class FlowSolverOn final : public FlowSolver {
       if (Status ok = solveViscosity(done.seconds, done); !ok) return ok;
     WithBodies passes{m_passes, m_bodies};
     const std::uint32_t broken =
-        m_pressure.solve(m_backend, passes, m_config, m_view, done.compression, done.pressure);
+        m_pressure.solve(m_backend, passes, m_config, m_view, done.compression, share, done.pressure);
     if (broken != UINT32_MAX) return notFinite(broken, "pressure solve");
     m_backend.forEach("integrate", m_view.count, WallEndKernel{m_view, !solves});
     if (m_config.countImpulse)
@@ -459,7 +471,8 @@ class FlowSolverOn final : public FlowSolver {
                            : ViscosityMode::Pairwise;
     }
     const bool pairwise = done.viscosity == ViscosityMode::Pairwise;
-    m_view.constants.viscousFactor = pairwise ? m_viscousFactor : 0.0f;
+    const bool stress = done.viscosity == ViscosityMode::Stress;
+    m_view.constants.pairDrag = pairwise ? 1.0f : stress ? kPairShare : 0.0f;
     return done.viscosity == ViscosityMode::Implicit;
   }
 
@@ -472,6 +485,13 @@ class FlowSolverOn final : public FlowSolver {
     limit(limits.sound, implicitPressure() ? StepLimit::Flow : StepLimit::Sound);
     limit(limits.force, StepLimit::Force);
     if (!solvesViscosity) limit(limits.viscous, StepLimit::Viscous);
+  }
+
+  /// A last small step before the time asked for would want a pressure that is wrong for the next: few steps
+  /// are made equal.
+  static void spreadStep(double asked, FlowStep& done) {
+    const double steps = std::ceil(asked / done.seconds - 1e-9);
+    if (steps > 1.0 && steps <= kSpreadSteps) done.seconds = asked / steps;
   }
 
   /// Rows round all that lives, each as long as its particles; a bin's number is the sort key.
@@ -553,7 +573,6 @@ class FlowSolverOn final : public FlowSolver {
   FlowLosses m_losses;  ///< those dropped from the arrays
   bool m_sampling = false;
   FlowSampler<Backend> m_sampler;
-  float m_viscousFactor = m_view.constants.viscousFactor;
   ImplicitPressure<Backend> m_pressure;
   ImplicitViscosity<Backend> m_viscosity;
   double m_kick = 0.0;      ///< s, by which the latest step advanced velocities

@@ -109,6 +109,7 @@ struct FlowConstants {
   float densityFactor = 0;                         ///< V0 norm / h^3
   float gradientFactor = 0;                        ///< V0 norm / h^4: times slopeOverQ times offset/h
   float viscousFactor = 0;                         ///< V0 norm / h^5
+  float pairDrag = 1;                              ///< share of the viscosity that acts in the force pass
   float diffusionFactor = 0;                       ///< 2 delta (h/2) c V0 norm / h^5
   float soundFactor = 0;                           ///< 2 c^2 V0 norm / h^5, times the step: see DensityRate
   float smoothFactor = 0;                          ///< XSPH's c V0 norm / h^3; 0 = off

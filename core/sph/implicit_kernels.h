@@ -132,8 +132,9 @@ struct PredictKernel {
       velocity.x += kick * push * w.nx;
       velocity.y += kick * push * w.ny;
       velocity.z += kick * push * w.nz;
-      if (!solvesViscosity)
-        rubAlong(v, i, w, solvesPressure ? 0.0f : maximum(kick * push, 0.0f), kick, velocity);
+      const bool sticks = v.walls.surface[w.surface].friction == WallFriction::NoSlip;
+      if (!solvesViscosity && (sticks || !solvesPressure))
+        rubAlong(v, i, w, maximum(kick * push, 0.0f), kick, velocity);
     });
   }
 

@@ -46,7 +46,7 @@ struct ConstraintPass {
 SPIN_HD_INLINE float wallRate(const FlowView& v, std::size_t i) {
   const PairRecord& r = v.record[i];
   float rate = 0.0f;
-  forWallSlopes(v, i, [&](const WallContact& w, float slope) {
+  forWallSlopes(v, i, [&](const WallContact& w, float slope) SPIN_INLINE_LAMBDA {
     rate -= slope * ((r.vx - w.vx) * w.nx + (r.vy - w.vy) * w.ny + (r.vz - w.vz) * w.nz);
   });
   return rate;
@@ -111,7 +111,7 @@ struct DivergencePass : OwnVelocity<Lanes> {
 SPIN_HD_INLINE void pushOffWalls(const FlowView& v, std::size_t i, float change, float seconds,
                                  PairVector<float>& velocity) {
   const float scale = seconds * change / v.record[i].restDensity;
-  forWallSlopes(v, i, [&](const WallContact& w, float slope) {
+  forWallSlopes(v, i, [&](const WallContact& w, float slope) SPIN_INLINE_LAMBDA {
     velocity.x += scale * slope * w.nx;
     velocity.y += scale * slope * w.ny;
     velocity.z += scale * slope * w.nz;

@@ -36,15 +36,16 @@ class ImplicitPressure {
   }
 
   /// From velocities that have all forces, the pressure of the step before among them; `compression` is the
-  /// mean excess. Gives the id of a particle whose state is not finite, else UINT32_MAX.
+  /// mean excess, `share` the step's share of the longest one. Gives the id of a particle whose state is not
+  /// finite, else UINT32_MAX.
   template <class Passes>
   std::uint32_t solve(Backend& backend, Passes& passes, const FlowConfig& config, FlowView view,
-                      double compression, FlowSolve& done) {
+                      double compression, double share, FlowSolve& done) {
     PressureSolveView& s = view.pressureSolve;
     const double wanted = kSurplusShare * compression / (kEasyShare * config.densityError);
-    s.surplusShare = static_cast<float>(std::clamp(wanted, kSurplusShare, 1.0));
+    s.surplusShare = static_cast<float>(share * std::clamp(wanted, kSurplusShare, 1.0));
     s.relaxation = kFirstRelaxation;
-    const double goal = kSolveShare * config.densityError;
+    const double goal = kSolveShare * share * config.densityError;
     double theta = 1.0, before = INFINITY;
     passes.solve(backend, kStage, view, SolvePass::Divergence);
     for (done.iterations = 0;; ++done.iterations) {
@@ -58,7 +59,7 @@ class ImplicitPressure {
       if (done.error > before) {
         // Overshot: momentum starts anew (O'Donoghue and Candes 2015), with smaller corrections.
         theta = 1.0;
-        s.relaxation *= kCalmer;
+        s.relaxation = std::max(kCalmer * s.relaxation, kLeastRelaxation);
       }
       before = done.error;
       const double next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * theta * theta));
@@ -78,10 +79,11 @@ class ImplicitPressure {
   /// for; in proportion above.
   static constexpr double kSurplusShare = 0.1, kEasyShare = 0.3;
   /// What a step may add to the mean excess, share of the density's error.
-  static constexpr double kSolveShare = 0.1;
+  static constexpr double kSolveShare = 0.05;
   /// Plain steps are stable below 4 over the largest eigenvalue's bound, steps with momentum below a third of
   /// that (the spectrum of the Jacobi-scaled matrix reaches about 4 in compressed fluid).
-  static constexpr float kFirstRelaxation = 0.5f, kRelaxation = 0.25f, kCalmer = 0.8f;
+  static constexpr float kFirstRelaxation = 0.5f, kRelaxation = 0.25f, kLeastRelaxation = 0.1f,
+                         kCalmer = 0.8f;
 
   std::array<Array*, 5> arrays() { return {&m_pressure, &m_push, &m_latest, &m_compliance, &m_error}; }
 

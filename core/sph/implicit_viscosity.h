@@ -44,6 +44,7 @@ class ImplicitViscosity {
         static_cast<float>(seconds * volume * CubicSpline::kNorm / (h * h * h * h * h));
     const auto leastSpeed = static_cast<float>(length(config.gravity) * seconds);
     const std::size_t n = view.count;
+    const ViscousMomentum start = momentum(backend, view);
     backend.forEach(kStage, n, ViscousBeginKernel{view});
     passes.solve(backend, kStage, view, SolvePass::ViscousProduct);
     backend.forEach(kStage, n, ViscousResidualKernel{view});
@@ -68,12 +69,29 @@ class ImplicitViscosity {
                       ViscousAdvanceKernel{view, static_cast<float>(norms.preconditioned / product.dot)});
     }
     backend.forEach(kStage, n, ViscousEndKernel{view});
+    restore(backend, view, start);
     return UINT32_MAX;
   }
 
  private:
   using Array = typename Backend::template Array<float>;
   static constexpr const char* kStage = "viscosity solve";
+
+  ViscousMomentum momentum(Backend& backend, const FlowView& view) {
+    return backend.reduce(kStage, view.count, ViscousMomentum{0.0, 0.0, 0.0, 0.0, 0}, ViscousMomentumOf{view},
+                          JoinViscousMomentum{});
+  }
+  /// Where no wall takes part, takes off what the rounding of many iterations has added to the momentum.
+  void restore(Backend& backend, const FlowView& view, const ViscousMomentum& start) {
+    if (start.walls != 0) return;
+    const ViscousMomentum end = momentum(backend, view);
+    const auto part = [&](double before, double after) {
+      return static_cast<float>((before - after) / end.mass);
+    };
+    backend.forEach(
+        kStage, view.count,
+        ViscousShiftKernel{view, part(start.x, end.x), part(start.y, end.y), part(start.z, end.z)});
+  }
 
   std::array<Array*, 8> arrays() { return {&m_qx, &m_qy, &m_qz, &m_rx, &m_ry, &m_rz, &m_diagonal, &m_slip}; }
 

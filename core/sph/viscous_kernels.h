@@ -187,6 +187,35 @@ struct ViscousTurnKernel {
   }
 };
 
+/// Momentum over V0, and whether a wall takes part in it.
+struct ViscousMomentum {
+  double x, y, z, mass;
+  std::uint32_t walls;
+};
+struct JoinViscousMomentum {
+  SPIN_HD ViscousMomentum operator()(const ViscousMomentum& a, const ViscousMomentum& b) const {
+    return {a.x + b.x, a.y + b.y, a.z + b.z, a.mass + b.mass, a.walls | b.walls};
+  }
+};
+struct ViscousMomentumOf {
+  FlowView v;
+  SPIN_HD ViscousMomentum operator()(std::size_t i) const {
+    const PairRecord& r = v.record[i];
+    const auto mass = static_cast<double>(r.restDensity);
+    return {mass * static_cast<double>(r.vx), mass * static_cast<double>(r.vy),
+            mass * static_cast<double>(r.vz), mass, v.extra[i].flags & std::uint32_t{kNearWall}};
+  }
+};
+struct ViscousShiftKernel {
+  FlowView v;
+  float x, y, z;
+  SPIN_HD void operator()(std::size_t i) const {
+    v.record[i].vx += x;
+    v.record[i].vy += y;
+    v.record[i].vz += z;
+  }
+};
+
 /// v = x + r / rho is v* plus the viscous force of x: pairwise, so momentum is conserved whatever is left.
 struct ViscousEndKernel {
   FlowView v;

@@ -40,6 +40,10 @@ struct ViscousProductPass {
   }
 };
 
+/// Share of the viscosity that acts pairwise in the stress form too: velocities that change sign from one
+/// particle to the next have no gradient, so no stress would ever calm them.
+inline constexpr float kPairShare = 0.2f;
+
 /// Divergence of the stress: a_i += V0 / rho_i sum (T_i + T_j) . grad W with T = tau rho0^2 / rho^2, the
 /// symmetric form (Monaghan 1992), which conserves momentum.
 template <class Lanes>
@@ -62,7 +66,8 @@ struct StressPass {
     sum.z = sum.z - mulAdd(own[2] + T(r.zz), w.z, mulAdd(xz, w.x, yz * w.y));
   }
   SPIN_HD_INLINE void write(const FlowView& v, const Lanes& lanes) const {
-    const T scale = T(v.constants.gradientFactor) / lanes.load(v.record, &PairRecord::restDensity);
+    const T scale =
+        T((1.0f - kPairShare) * v.constants.gradientFactor) / lanes.load(v.record, &PairRecord::restDensity);
     lanes.store(mulAdd(scale, sum.x, lanes.load(v.ax)), v.ax);
     lanes.store(mulAdd(scale, sum.y, lanes.load(v.ay)), v.ay);
     lanes.store(mulAdd(scale, sum.z, lanes.load(v.az)), v.az);

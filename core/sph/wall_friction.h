@@ -76,10 +76,10 @@ SPIN_HD_INLINE void forWallSlopes(const FlowView& v, std::size_t i, const Visit&
   const float x = static_cast<float>(v.x[i]) * metres, y = static_cast<float>(v.y[i]) * metres,
               z = static_cast<float>(v.z[i]) * metres;
   WallShares shares;
-  v.walls.near(x, y, z, c.support, [&](const WallContact& w) {
+  v.walls.near(x, y, z, c.support, [&](const WallContact& w) SPIN_INLINE_LAMBDA {
     shares.add(CubicSpline::halfSpaceIntegral(w.distance / c.support));
   });
-  v.walls.near(x, y, z, c.support, [&](const WallContact& w) {
+  v.walls.near(x, y, z, c.support, [&](const WallContact& w) SPIN_INLINE_LAMBDA {
     const float s = w.distance / c.support;
     visit(w, shares.weight(CubicSpline::halfSpaceIntegral(s)) * CubicSpline::planeIntegral(s) / c.support);
   });

@@ -7,8 +7,9 @@
 #include "tests/support/flow_cells_contract.h"
 #include "tests/support/flow_contract.h"
 #include "tests/support/flow_hard_contract.h"
-#include "tests/support/flow_walls_contract.h"
+#include "tests/support/flow_implicit_contract.h"
 #include "tests/support/flow_state_contract.h"
+#include "tests/support/flow_walls_contract.h"
 
 namespace spin {
 namespace contract {
@@ -25,6 +26,7 @@ struct CudaFlowTraits {
 INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowContract, CudaFlowTraits);
 INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowWallsContract, CudaFlowTraits);
 INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowBodiesContract, CudaFlowTraits);
+INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowImplicitContract, CudaFlowTraits);
 INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowCellsContract, CudaFlowTraits);
 INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowHard, CudaFlowTraits);
 INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, FlowStateContract, CudaFlowTraits);

@@ -3,6 +3,8 @@
 // The solver's kernels as the CUDA backend launches them, without the rest: spills.py compiles this.
 #include "core/sph/body_solve.h"
 #include "core/sph/flow_kernels.h"
+#include "core/sph/implicit_kernels.h"
+#include "core/sph/viscous_kernels.h"
 #include "gpu/for_each_kernel.cuh"
 
 namespace spin {
@@ -31,5 +33,15 @@ template __global__ void forEachKernel(BodyConstraintKernel, std::size_t);
 template __global__ void forEachKernel(BodyDivergenceKernel, std::size_t);
 template __global__ void forEachKernel(BodySolvePushKernel, std::size_t);
 template __global__ void forEachKernel(BodySolveLoadKernel, std::size_t);
+template __global__ void forEachKernel(PairKernel<ConstraintPass>, std::size_t);
+template __global__ void forEachKernel(PairKernel<DivergencePass>, std::size_t);
+template __global__ void forEachKernel(PairKernel<PressurePushPass>, std::size_t);
+template __global__ void forEachKernel(PairKernel<ViscousProductPass>, std::size_t);
+template __global__ void forEachKernel(PairKernel<StressPass>, std::size_t);
+template __global__ void forEachKernel(ConstraintKernel, std::size_t);
+template __global__ void forEachKernel(PredictKernel, std::size_t);
+template __global__ void forEachKernel(WallEndKernel, std::size_t);
+template __global__ void forEachKernel(AdvanceKernel, std::size_t);
+template __global__ void forEachKernel(ViscousTurnKernel, std::size_t);
 
 }  // namespace spin

@@ -17,7 +17,8 @@ MEMORY = re.compile(r"(\d+) bytes stack frame, (\d+) bytes spill stores, (\d+) b
 REGISTERS = re.compile(r"Used (\d+) registers")
 REQUIRED = ("DensityPass", "ShearPass", "PlainForcePass", "SmoothForcePass", "ContinuityForcePass", "SmoothContinuityForcePass", "IntegrateKernel", "PressureKernel",
             "BodyDensityKernel", "BodyRateKernel", "BodyPressureKernel", "BodyRubKernel", "BodyReactionKernel",
-            "BodyConstraintKernel", "BodyDivergenceKernel", "BodySolvePushKernel", "BodySolveLoadKernel")
+            "BodyConstraintKernel", "BodyDivergenceKernel", "BodySolvePushKernel", "BodySolveLoadKernel",
+            "ConstraintPass", "DivergencePass", "PressurePushPass", "ViscousProductPass", "StressPass")
 
 
 def kernels(report):
