@@ -101,7 +101,7 @@ TEST_F(ModelDraw, SharedDataIsHeldOnceAndShadowsAreDrawnOnlyWhenNeeded) {
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   glEnable(GL_DEPTH_TEST);
   const auto update = [&](const SceneSnapshot& s, Vec3d eye) {
-    shadows.update(models, models.place(s, 0.0), flow, {eye, eye + Vec3d{0, 10, 0}, 45}, sun, block);
+    shadows.update(models, models.place(s, 0.0, nullptr), flow, {eye, eye + Vec3d{0, 10, 0}, 45}, sun, block);
     return shadows.timesDrawn();
   };
   EXPECT_EQ(update(*snapshot, {0, -10, 2}), 2u) << "sun and zenith";
