@@ -61,12 +61,12 @@ FlowMaterialPreset flowMaterialPreset(FlowMaterialKind kind) {
   switch (kind) {
     case FlowMaterialKind::DrySnow:
       return {frictional(300.0, 50.0, 27.0, 1.0),
-              "dense dry flow of 300 kg/m3; cohesion within the 0 to 100 Pa and a friction within the S/N "
-              "ratios that Bartelt et al. 2015 and Platzer, Bartelt and Kern 2007 give for dry snow"};
+              "dense dry flow; cohesion and friction of the order that chute experiments with flowing snow "
+              "give for dry snow (Platzer, Bartelt and Kern 2007; Bartelt et al. 2015)"};
     case FlowMaterialKind::WetSnow:
       return {frictional(450.0, 200.0, 24.0, 5.0),
-              "dense wet flow of 450 kg/m3; cohesion within the 100 to 300 Pa and a friction within the S/N "
-              "ratios that Bartelt et al. 2015 and Platzer, Bartelt and Kern 2007 give for wet snow"};
+              "dense wet flow; cohesion and friction of the order that chute experiments with flowing snow "
+              "give for wet snow (Platzer, Bartelt and Kern 2007; Bartelt et al. 2015)"};
     case FlowMaterialKind::Slush: {
       FlowMaterialConfig m = frictional(900.0, 20.0, 0.0, 2.0);
       m.rheology.exponent = 0.7f;

@@ -96,6 +96,8 @@ class FlowSolverOn final : public FlowSolver {
       take(state.particles);
       m_nextId = state.nextId;
       m_lastStep = state.lastStep;
+      // The force pass reads the step before.
+      m_view.constants.timeStep = static_cast<float>(m_lastStep);
       m_losses = state.losses;
       return m_bodies.world().setStates(state.bodies);
     });
@@ -110,6 +112,11 @@ class FlowSolverOn final : public FlowSolver {
     m_config = config;
     m_config.walls = std::move(walls);
     m_view.constants = fresh.constants;
+<<<<<<< HEAD
+=======
+    m_viscousFactor = fresh.constants.viscousFactor;
+    m_view.constants.timeStep = static_cast<float>(m_lastStep);
+>>>>>>> 3305079 (Keep the step before across restores and changes under way; soften what presets claim)
     m_view.walls = fresh.walls;
     m_view.sinks = fresh.sinks;
     m_meshes.point(m_view.walls);
