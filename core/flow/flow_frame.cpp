@@ -153,9 +153,14 @@ void publishFlow(const FlowReport& report, Frame& frame) {
   figures["flow_layers"] = report.layers;
   const FlowStepCount& steps = report.steps;
   figures["flow_steps"] = steps.steps;
+  const double count = std::max(steps.steps, 1u);
+  figures["flow_pressure_iterations"] = static_cast<double>(steps.pressureIterations) / count;
+  figures["flow_viscosity_iterations"] = static_cast<double>(steps.viscosityIterations) / count;
+  figures["flow_steps_with_implicit_viscosity"] = steps.viscositySolves;
   figures["flow_mean_step_s"] = steps.steps > 0 ? steps.seconds / steps.steps : 0.0;
   constexpr const char* kLimits[] = {"flow_steps_as_asked", "flow_steps_by_sound", "flow_steps_by_force",
-                                     "flow_steps_by_viscosity"};
+                                     "flow_steps_by_viscosity", "flow_steps_by_speed"};
+  static_assert(std::size(kLimits) == std::tuple_size_v<decltype(steps.limits)>);
   for (std::size_t k = 0; k < std::size(kLimits); ++k) figures[kLimits[k]] = steps.limits[k];
 }
 

@@ -26,8 +26,10 @@ struct FlowBirth {
 /// Steps of one frame.
 struct FlowStepCount {
   std::uint32_t steps = 0;
-  std::array<std::uint32_t, 4> limits{};  ///< by StepLimit
+  std::array<std::uint32_t, 5> limits{};  ///< by StepLimit
   double seconds = 0.0;
+  std::uint64_t pressureIterations = 0, viscosityIterations = 0;  ///< of implicit solves
+  std::uint32_t viscositySolves = 0;                              ///< steps that solved for the viscosity
 };
 
 /// Particles that entered since the beginning, by material.

@@ -250,6 +250,9 @@ class FlowProcess final : public Process {
     ++m_steps.steps;
     ++m_steps.limits[static_cast<std::size_t>(done->limit)];
     m_steps.seconds += done->seconds;
+    m_steps.pressureIterations += static_cast<std::uint64_t>(done->pressure.iterations);
+    m_steps.viscosityIterations += static_cast<std::uint64_t>(done->viscous.iterations);
+    m_steps.viscositySolves += done->viscosity == ViscosityMode::Implicit ? 1 : 0;
     return done->seconds;
   }
 

@@ -167,6 +167,7 @@ class SceneBuilder {
     for (FlowMaterialConfig& m : c.materials) {
       m.soundSpeed = sound;
       if (!m.rheology.needsShearRate()) continue;
+      if (m_settings.pressure == FlowPressure::Implicit && m_settings.viscosityCap == 0.0) continue;
       // By this viscosity the step is half of what sound allows: nu = 2 (viscous factor / courant) s c.
       const double free = 2.0 * c.viscousFactor / c.courant * c.spacing * sound * m.restDensity;
       const double cap = m_settings.viscosityCap > 0.0 ? m_settings.viscosityCap : free;
@@ -202,6 +203,13 @@ FlowScene makeFlowScene(const SceneSnapshot& scene, double filmTime, bool withBo
   const FlowSettingsNode settings = scene.settings<FlowSettingsNode>(filmTime);
   out.config.density =
       settings.density == FlowDensity::Continuity ? DensityMode::Continuity : DensityMode::Summation;
+  if (settings.pressure == FlowPressure::Implicit) {
+    out.config.pressure = PressureMode::Implicit;
+    out.config.density = DensityMode::Summation;
+    out.config.densityError = settings.accuracy == FlowAccuracy::Accurate ? 1e-3 : 1e-2;
+  }
+  // Solves for the viscosity where that would bind the step.
+  out.config.viscosity = ViscosityMode::Auto;
   updateFlowConfig(scene, filmTime, out.config);
   const std::vector<const SceneNode*> sinks = scene.all<FlowSinkNode>();
   if (sinks.size() > kMostSinks)

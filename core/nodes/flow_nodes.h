@@ -103,6 +103,7 @@ extern const NodeType kFlowMaterialType;
 
 enum class FlowAccuracy : std::uint8_t { Fast, Accurate };
 enum class FlowDensity : std::uint8_t { Summation, Continuity };
+enum class FlowPressure : std::uint8_t { StateEquation, Implicit };
 enum class GroundGrip : std::uint8_t { Coulomb, NoSlip, FreeSlip };
 
 /// How flow is computed.
@@ -110,6 +111,7 @@ struct FlowSettingsNode : NodeData {
   double spacing = 0.5;  ///< m between particles at rest
   FlowAccuracy accuracy = FlowAccuracy::Fast;
   FlowDensity density = FlowDensity::Summation;
+  FlowPressure pressure = FlowPressure::StateEquation;
   double soundSpeed = 0.0;    ///< m/s; 0 = from the depth and speed to be expected
   double longestStep = 0.02;  ///< s
   double smoothing = 0.1;     ///< c of XSPH

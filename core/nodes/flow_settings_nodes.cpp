@@ -66,6 +66,10 @@ constexpr Choice kDensities[] = {
     {"summation", SPIN_TR("Summation")},
     {"continuity", SPIN_TR("Continuity")},
 };
+constexpr Choice kPressures[] = {
+    {"state_equation", SPIN_TR("State equation")},
+    {"implicit", SPIN_TR("Solved for (DFSPH)")},
+};
 constexpr Choice kGrips[] = {
     {"coulomb", SPIN_TR("Friction by coefficient")},
     {"no_slip", SPIN_TR("Sticks")},
@@ -97,6 +101,11 @@ constexpr PropertyRow kSettingsRows[] = {
         "density", SPIN_TR("Density by"),
         SPIN_TR("Summation over neighbours, or continuity with diffusion: quieter pressure, cheaper steps."))
         .oneOf(kDensities),
+    property<&FlowSettingsNode::pressure>(
+        "pressure", SPIN_TR("Pressure by"),
+        SPIN_TR("The state equation (small, cheap steps, slightly compressible), or solved for so that the "
+                "density stays: larger steps, each of many iterations."))
+        .oneOf(kPressures),
     property<&FlowSettingsNode::soundSpeed>(
         "sound_speed_m_s", SPIN_TR("Sound speed"),
         SPIN_TR("Stiffness of the flow: larger is less compressible and takes more steps; 0 finds it."))
