@@ -1430,6 +1430,22 @@
         <source>While it is on, avalanches, water and bodies stand still and everything else goes on.</source>
         <translation>Dokud je zapnuto, laviny, voda a tělesa stojí a vše ostatní běží dál.</translation>
     </message>
+    <message>
+        <source>State equation</source>
+        <translation>Stavová rovnice</translation>
+    </message>
+    <message>
+        <source>Solved for (DFSPH)</source>
+        <translation>Řešený (DFSPH)</translation>
+    </message>
+    <message>
+        <source>Pressure by</source>
+        <translation>Tlak podle</translation>
+    </message>
+    <message>
+        <source>The state equation (small, cheap steps, slightly compressible), or solved for so that the density stays: larger steps, each of many iterations.</source>
+        <translation>Stavová rovnice (malé, levné kroky, mírná stlačitelnost), nebo řešený tak, aby hustota zůstala: větší kroky, každý z mnoha iterací.</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>

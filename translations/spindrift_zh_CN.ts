@@ -1430,6 +1430,22 @@
         <source>While it is on, avalanches, water and bodies stand still and everything else goes on.</source>
         <translation>开启期间，雪崩、水和物体静止，其余照常进行。</translation>
     </message>
+    <message>
+        <source>State equation</source>
+        <translation>状态方程</translation>
+    </message>
+    <message>
+        <source>Solved for (DFSPH)</source>
+        <translation>求解（DFSPH）</translation>
+    </message>
+    <message>
+        <source>Pressure by</source>
+        <translation>压力计算</translation>
+    </message>
+    <message>
+        <source>The state equation (small, cheap steps, slightly compressible), or solved for so that the density stays: larger steps, each of many iterations.</source>
+        <translation>状态方程（步小而省，略可压缩），或求解使密度保持不变：步更大，每步多次迭代。</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>

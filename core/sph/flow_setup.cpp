@@ -259,8 +259,8 @@ Status checkReconfiguration(const FlowConfig& from, const FlowConfig& to) {
   const auto kept = [&](const auto FlowConfig::*member) { return from.*member == to.*member; };
   bool same = kept(&FlowConfig::spacing) && kept(&FlowConfig::supportSpacings) &&
               kept(&FlowConfig::domainMin) && kept(&FlowConfig::domainMax) && kept(&FlowConfig::density) &&
-              kept(&FlowConfig::leapFrog) && kept(&FlowConfig::pressure) && kept(&FlowConfig::viscosity) &&
-              from.materials.size() == to.materials.size() && from.walls.ground.hasShapeOf(to.walls.ground) &&
+              kept(&FlowConfig::leapFrog) && from.materials.size() == to.materials.size() &&
+              from.walls.ground.hasShapeOf(to.walls.ground) &&
               from.walls.meshes.size() == to.walls.meshes.size() &&
               from.walls.groundSurfaces.size() == to.walls.groundSurfaces.size() &&
               needsShearRate(from) == needsShearRate(to) && (from.smoothing > 0.0) == (to.smoothing > 0.0);

@@ -112,11 +112,7 @@ class FlowSolverOn final : public FlowSolver {
     m_config = config;
     m_config.walls = std::move(walls);
     m_view.constants = fresh.constants;
-<<<<<<< HEAD
-=======
-    m_viscousFactor = fresh.constants.viscousFactor;
     m_view.constants.timeStep = static_cast<float>(m_lastStep);
->>>>>>> 3305079 (Keep the step before across restores and changes under way; soften what presets claim)
     m_view.walls = fresh.walls;
     m_view.sinks = fresh.sinks;
     m_meshes.point(m_view.walls);
