@@ -42,6 +42,7 @@ FlowConfig channelConfig(const Channel& channel, const FlowTrial& trial) {
   c.periodic[0] = c.periodic[1] = true;
   c.density = trial.density;
   c.courant = trial.courant;
+  c.pressure = trial.pressure;
   c.clampTension = false;
   c.gravity = {channel.push / kDensity, 0, 0};
   c.materials[0].restDensity = kDensity;

@@ -18,6 +18,7 @@ FlowConfig columnConfig(const FlowTrial& setting) {
   c.supportSpacings = setting.mode.supportSpacings;
   c.density = setting.density;
   c.courant = setting.courant;
+  c.pressure = setting.pressure;
   const double edge = 4.0 * c.spacing;
   c.domainMin = {-edge, 0, -edge};
   c.domainMax = {6.0, slabWidth(c.supportSpacings) * c.spacing, kDepth + 1.0};

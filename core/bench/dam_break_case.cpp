@@ -59,6 +59,7 @@ FlowConfig tankConfig(const FlowTrial& setting) {
   c.supportSpacings = setting.mode.supportSpacings;
   c.density = setting.density;
   c.courant = setting.courant;
+  c.pressure = setting.pressure;
   const double edge = 4.0 * c.spacing;
   c.domainMin = {-edge, 0, -edge};
   c.domainMax = {kLobovskyTank + edge, slabWidth(c.supportSpacings) * c.spacing, 5.0 * kLobovskyDepth};

@@ -84,6 +84,7 @@ Result<int> runFlow(FlowSolver& solver, double seconds) {
 void describe(const FlowTrial& trial, BenchRow& row) {
   row.settings["mode"] = trial.mode.id;
   row.settings["density"] = trial.density == DensityMode::Continuity ? "continuity" : "summation";
+  row.settings["pressure"] = trial.pressure == PressureMode::Implicit ? "implicit" : "state equation";
   row.settings["across"] = std::to_string(trial.across);
   row.settings["courant"] = fmt::format("{:g}", trial.courant);
 }

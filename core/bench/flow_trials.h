@@ -10,6 +10,7 @@ namespace spin {
 struct FlowTrial {
   FlowMode mode = kFastMode;
   DensityMode density = DensityMode::Continuity;
+  PressureMode pressure = PressureMode::EquationOfState;
   int across = 20;        ///< spacings to the flow's own length: width of a dam's column, depth, channel
   double courant = 0.25;  ///< share of a spacing that sound goes in a step
   WallFriction floor = WallFriction::FreeSlip;  ///< of a dam break

@@ -85,6 +85,7 @@ Result<BenchRow> hydrostaticTrial(const BenchOptions& options, const FlowTrial& 
   c.supportSpacings = mode.supportSpacings;
   c.density = trial.density;
   c.courant = trial.courant;
+  c.pressure = trial.pressure;
   c.domainMin = {0, 0, -4 * kSpacing};
   c.domainMax = {width * kSpacing, width * kSpacing, 1.5 * depth};
   c.periodic[0] = c.periodic[1] = true;

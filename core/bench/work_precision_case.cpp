@@ -22,13 +22,16 @@ struct Way {
   FlowMode mode;
   DensityMode density;
   double courant;
+  PressureMode pressure = PressureMode::EquationOfState;
 };
 
 std::vector<Way> waysOf(bool quick) {
-  const std::vector<Way> all = {{"fast", kFastMode, DensityMode::Continuity, 0.25},
-                                {"fast, long steps", kFastMode, DensityMode::Continuity, 0.4},
-                                {"fast, by summation", kFastMode, DensityMode::Summation, 0.25},
-                                {"accurate", kAccurateMode, DensityMode::Continuity, 0.25}};
+  const std::vector<Way> all = {
+      {"fast", kFastMode, DensityMode::Continuity, 0.25},
+      {"fast, long steps", kFastMode, DensityMode::Continuity, 0.4},
+      {"fast, by summation", kFastMode, DensityMode::Summation, 0.25},
+      {"fast, implicit pressure", kFastMode, DensityMode::Summation, 0.25, PressureMode::Implicit},
+      {"accurate", kAccurateMode, DensityMode::Continuity, 0.25}};
   return quick ? std::vector<Way>{all.front()} : all;
 }
 
@@ -38,6 +41,7 @@ Result<BenchRow> measure(const BenchOptions& options, const Probe& probe, const 
   trial.mode = way.mode;
   trial.density = way.density;
   trial.courant = way.courant;
+  trial.pressure = way.pressure;
   trial.across = across;
   Result<BenchRow> run = probe.run(options, trial);
   if (!run) return run.error();

@@ -108,7 +108,7 @@ TYPED_TEST_P(FlowHard, CrossFluidsRunDownASteepSlope) {
     for (const FlowSample& s : samples) speed[stiff] += s.particle.velocity.x / 320.0 / seconds;
     // Never faster than without friction.
     EXPECT_LE(speed[stiff], c.gravity.x * 1.01);
-    EXPECT_LT(fastestOf(samples), 1.2 * c.gravity.x * seconds + 0.05 * c.materials[0].soundSpeed) << stiff;
+    EXPECT_LT(fastestOf(samples), 1.5 * c.gravity.x * seconds + 0.05 * c.materials[0].soundSpeed) << stiff;
     this->figure("cross fluid %s: %.3f s, mean acceleration %.3f m/s2, fastest %.2f m/s\n",
                  stiff ? "x 1000" : "x 1", seconds, speed[stiff], fastestOf(samples));
   }
