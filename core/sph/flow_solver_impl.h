@@ -345,11 +345,11 @@ class FlowSolverOn final : public FlowSolver {
     }
     const Vec3d before = m_config.countImpulse ? momentum() : Vec3d{};
     m_backend.forEach("integrate", m_view.count,
-                      PredictKernel{m_view, static_cast<float>(kick), false, true});
+                      PredictKernel{{m_view, static_cast<float>(kick)}, false, true});
     if (Status ok = solveViscosity(kick, done); !ok) return ok;
     m_backend.forEach("integrate", m_view.count, WallEndKernel{m_view, false});
     if (m_config.countImpulse) m_outer += momentum() - before - m_bodies.given(m_backend, m_view) * kick;
-    m_backend.forEach("integrate", m_view.count, AdvanceKernel{m_view});
+    m_backend.forEach("integrate", m_view.count, AdvanceKernel{{m_view, m_view.constants.timeStep}});
     return moveBodies(done.seconds, impulses);
   }
 
@@ -405,7 +405,7 @@ class FlowSolverOn final : public FlowSolver {
     m_bodies.rub(m_backend, m_view, done.seconds);
     const Vec3d before = m_config.countImpulse ? momentum() : Vec3d{};
     m_bodies.beginSolve(m_backend, m_view, done.seconds);
-    m_backend.forEach("integrate", m_view.count, PredictKernel{m_view, kick, true, solves});
+    m_backend.forEach("integrate", m_view.count, PredictKernel{{m_view, kick}, true, solves});
     if (solves)
       if (Status ok = solveViscosity(done.seconds, done); !ok) return ok;
     WithBodies passes{m_passes, m_bodies};
@@ -416,7 +416,7 @@ class FlowSolverOn final : public FlowSolver {
     if (m_config.countImpulse)
       m_outer += momentum() - before - m_bodies.given(m_backend, m_view) * done.seconds;
     const std::vector<RigidImpulse> impulses = m_bodies.reaction(m_backend, m_view, done.seconds, true);
-    m_backend.forEach("integrate", m_view.count, AdvanceKernel{m_view});
+    m_backend.forEach("integrate", m_view.count, AdvanceKernel{{m_view, m_view.constants.timeStep}});
     return moveBodies(done.seconds, impulses);
   }
 

@@ -122,11 +122,12 @@ struct FlowLimitsOf {
 /// Coulomb friction follows when the pressure is known, with `solvesViscosity` friction is a part of the
 /// viscous matrix.
 struct PredictKernel {
-  FlowView v;
-  float kick;
+  IntegrateKernel step;
   bool solvesPressure, solvesViscosity;
 
   SPIN_HD_INLINE void actWalls(std::size_t i, PairVector<float>& velocity) const {
+    const FlowView& v = step.v;
+    const float kick = step.kick;
     forWallSlopes(v, i, [&](const WallContact& w, float slope) {
       const float push = wallPushOf(v, i, w, slope);
       velocity.x += kick * push * w.nx;
@@ -139,11 +140,12 @@ struct PredictKernel {
   }
 
   SPIN_HD void operator()(std::size_t i) const {
+    const FlowView& v = step.v;
     const FlowConstants& c = v.constants;
-    const IntegrateKernel integrate{v, kick};
+    const float kick = step.kick;
     PairRecord& r = v.record[i];
     const bool near = (v.extra[i].flags & kNearWall) != 0;
-    const float wallRate = v.rate && near ? integrate.wallDensityRate(i) : 0.0f;
+    const float wallRate = v.rate && near ? step.wallDensityRate(i) : 0.0f;
     PairVector<float> velocity{r.vx + kick * (v.ax[i] + c.gravityX), r.vy + kick * (v.ay[i] + c.gravityY),
                                r.vz + kick * (v.az[i] + c.gravityZ)};
     if (c.windDrag > 0.0f) {
@@ -193,16 +195,16 @@ struct WallEndKernel {
 
 /// The way that the particle goes.
 struct AdvanceKernel {
-  FlowView v;
+  IntegrateKernel step;
   SPIN_HD void operator()(std::size_t i) const {
+    const FlowView& v = step.v;
     const FlowConstants& c = v.constants;
     const PairRecord& r = v.record[i];
     ParticleExtra& extra = v.extra[i];
-    const IntegrateKernel integrate{v, c.timeStep};
-    integrate.advance(v.x[i], extra.restX, c.timeStep * r.vx, c.unitsPerMetre, v.grid.periodX);
-    integrate.advance(v.y[i], extra.restY, c.timeStep * r.vy, c.unitsPerMetre, v.grid.periodY);
-    integrate.advance(v.z[i], extra.restZ, c.timeStep * r.vz, c.unitsPerMetre, v.grid.periodZ);
-    integrate.leave(i);
+    step.advance(v.x[i], extra.restX, c.timeStep * r.vx, c.unitsPerMetre, v.grid.periodX);
+    step.advance(v.y[i], extra.restY, c.timeStep * r.vy, c.unitsPerMetre, v.grid.periodY);
+    step.advance(v.z[i], extra.restZ, c.timeStep * r.vz, c.unitsPerMetre, v.grid.periodZ);
+    step.leave(i);
   }
 };
 
