@@ -211,7 +211,7 @@ Channel crossChannel() {
     return u;
   };
   channel.fastest = channel.exact(kHalf, 0.0);
-  channel.marks = {0.6};
+  channel.marks = {1.2};
   return channel;
 }
 
