@@ -190,8 +190,11 @@ void FlowPass::uploadLooks(const RenderNode& settings) {
     const ParticleSet& set = m_flow->particles;
     const std::vector<float> values = flowValues(set, settings.flowDisplay);
     const auto density = flowValues(set, FlowDisplay::Density), speed = flowValues(set, FlowDisplay::Speed);
-    const auto neighbours = flowValues(set, FlowDisplay::Neighbours),
-               viscosity = flowValues(set, FlowDisplay::Viscosity);
+    const auto viscosity = flowValues(set, FlowDisplay::Viscosity);
+    auto neighbours = flowValues(set, FlowDisplay::Neighbours);
+    // Before the first step nobody has counted them.
+    const auto none = [](float n) { return n <= 0.0f; };
+    if (std::all_of(neighbours.begin(), neighbours.end(), none)) neighbours.clear();
     m_scale = flowScale(settings, values);
     for (std::size_t k = 0; k < set.size(); ++k) {
       const auto of = [k](const std::vector<float>& list, double other) {
