@@ -143,13 +143,11 @@ constexpr PropertyRow kSimulationRows[] = {
     property<&SimulationNode::pauseSnow>(
         "pause_snow", SPIN_TR("Pause snow"),
         SPIN_TR("While it is on, falling snow and cover stand still and everything else goes on."))
-        .animated()
-        .affecting(Affects::Picture),
+        .animated(),
     property<&SimulationNode::pauseFlow>(
         "pause_flow", SPIN_TR("Pause flow"),
         SPIN_TR("While it is on, avalanches, water and bodies stand still and everything else goes on."))
-        .animated()
-        .affecting(Affects::Picture),
+        .animated(),
 };
 
 }  // namespace

@@ -79,8 +79,8 @@ class Program {
     if (m_pid == 0) {
       redirect(STDOUT_FILENO, m_out);
       redirect(STDERR_FILENO, m_error);
-      std::vector<char*> words;
-      arguments.insert(arguments.begin(), SPIN_CLI);
+      std::string program = SPIN_CLI;
+      std::vector<char*> words{program.data()};
       for (std::string& word : arguments) words.push_back(word.data());
       words.push_back(nullptr);
       ::execv(SPIN_CLI, words.data());
