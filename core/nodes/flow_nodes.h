@@ -110,7 +110,7 @@ enum class GroundGrip : std::uint8_t { Coulomb, NoSlip, FreeSlip };
 struct FlowSettingsNode : NodeData {
   double spacing = 0.5;  ///< m between particles at rest
   FlowAccuracy accuracy = FlowAccuracy::Fast;
-  FlowDensity density = FlowDensity::Summation;
+  FlowDensity density = FlowDensity::Continuity;
   FlowPressure pressure = FlowPressure::StateEquation;
   double soundSpeed = 0.0;    ///< m/s; 0 = from the depth and speed to be expected
   double longestStep = 0.02;  ///< s

@@ -27,8 +27,8 @@ class Pipeline {
   std::unique_ptr<Exchange> m_exchange = std::make_unique<Exchange>();
 };
 
-/// Whether the scene's settings hold a process still in the step that ends at a film time: its state stays as it
-/// is, and nothing that it depends on makes its frames stale.
+/// Whether the scene's settings hold a process still in the step that ends at a film time: its state stays as
+/// it is, and nothing that it depends on makes its frames stale.
 bool isPaused(const SceneSnapshot& scene, const Process& process, double filmTime);
 
 /// Key of frame 0 and the chain: key(n) = H(key(n-1), inputs of the step to n, solver version, backend,
