@@ -38,8 +38,7 @@ class CliFlow : public ::testing::Test {
 TEST_F(CliFlow, TheChuteRunsAndItsParticlesAreExported) {
   const auto done = run(test::joined(arguments("run", "a"),
                                      {"--format", "ply", "--format", "vtp", "--part", "flow", "--timings"}));
-  for (const char* stage :
-       {"stage sort:", "stage density:", "stage shear rate:", "stage force:", "stage integrate:"})
+  for (const char* stage : {"stage sort:", "stage shear rate:", "stage force:", "stage integrate:"})
     EXPECT_NE(done.out.find(stage), std::string::npos) << stage << "\n" << done.out;
   EXPECT_NE(done.error.find("particles; about"), std::string::npos) << done.error;
   const auto files = filesBelow(folder / "a");

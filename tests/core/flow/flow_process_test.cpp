@@ -203,7 +203,7 @@ TEST(FlowProcess, FramesCarryAttributesFiguresAndStages) {
   EXPECT_EQ(figures.at("flow_layers"), 2.0);
   EXPECT_GT(figures.at("flow_max_speed_m_s"), figures.at("flow_mean_speed_m_s"));
   EXPECT_GT(figures.at("flow_steps"), 1.0);
-  for (const char* stage : {"sort", "density", "pressure", "shear rate", "force", "integrate"})
+  for (const char* stage : {"sort", "pressure", "shear rate", "force", "integrate"})
     EXPECT_GT(frame->info.timings.seconds(stage), 0.0) << stage;
 }
 
@@ -220,8 +220,10 @@ TEST(FlowProcess, SnowComesToRestWhereWaterRunsOn) {
     return lastFrame(scene.build(), 20);
   };
   const FramePointer snow = run(FlowMaterialKind::DrySnow), water = run(FlowMaterialKind::Water);
-  EXPECT_LT(snow->info.figures.at("flow_mean_speed_m_s"), 0.1);
-  EXPECT_GT(water->info.figures.at("flow_mean_speed_m_s"), 0.3);
+  const double snowSpeed = snow->info.figures.at("flow_mean_speed_m_s");
+  EXPECT_LT(snowSpeed, 0.1);
+  // The ground's grip holds the lowest layer of water too; the rest flows over it.
+  EXPECT_GT(water->info.figures.at("flow_mean_speed_m_s"), std::max(0.15, 3.0 * snowSpeed));
   EXPECT_GT(meanX(flowOf(*water)), meanX(flowOf(*snow)) + 0.5);
 }
 
