@@ -13,6 +13,7 @@ BenchCase exposureRaytracedCase();
 BenchCase slopeCatchCase();
 BenchCase massCase();
 BenchCase sphSpeedCase();
+BenchCase sphParityCase();
 BenchCase kernelSumsCase();
 BenchCase damBreakCase();
 BenchCase filmBinghamCase();
@@ -41,7 +42,7 @@ const std::vector<BenchCase>& builtInBenchCases() {
       channelHerschelCase(),  channelCrossCase(), kernelSumsCase(),   damBreakCase(),
       filmBinghamCase(),      filmCrossCase(),    slumpCase(),        granularColumnCase(),
       inclineSlipCase(),      penetrationCase(),  conservationCase(), taylorGreenSphCase(),
-      sphWorkPrecisionCase(), buoyancyCase(),
+      sphWorkPrecisionCase(), buoyancyCase(),     sphParityCase(),
   };
   return cases;
 }

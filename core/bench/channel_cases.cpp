@@ -79,7 +79,8 @@ Result<BenchRow> measure(const BenchOptions& options, const Channel& channel, co
   const BenchMeter meter;
   const FlowConfig c = channelConfig(channel, trial);
   const int width = slabWidth(mode.supportSpacings);
-  auto particles = flowLattice(c, width, width, across, {}, 0.0);
+  // A perfect lattice keeps its rows, which no flow outside a channel does.
+  auto particles = flowLattice(c, width, width, across, {}, 0.1);
   for (FlowParticle& p : particles) p.velocity.x = channel.startShare * channel.exact(p.position.z, 0.0);
   auto solver = startFlow(c, particles, options);
   if (!solver) return solver.error();
@@ -119,7 +120,6 @@ Result<std::vector<BenchRow>> runChannel(const BenchOptions& options, Channel ch
       if (options.quick && mode.supportSpacings > 2.5) continue;
       FlowTrial trial;
       trial.mode = mode;
-      trial.density = DensityMode::Summation;
       trial.across = n;
       Result<BenchRow> row =
           measure(options, channel, trial, mode.supportSpacings > 2.5 ? accurateBar : fastBar);

@@ -29,7 +29,8 @@ FlowConfig columnConfig(double spacing, double height) {
   m.rheology.viscosity = 1.0f;
   m.rheology.frictionTangent = static_cast<float>(kFriction);
   m.rheology.regularisation = 1000.0f;
-  m.rheology.most = 500.0f;
+  m.rheology.most = 5e4f;
+  c.viscosity = ViscosityMode::Auto;
   // A quarter of the column between two planes of symmetry.
   // The bed is as rough as the grains: those that touch it rest.
   c.walls.surfaces = {{WallFriction::NoSlip, 0.0f}, {WallFriction::FreeSlip, 0.0f}};

@@ -11,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/bench/bench_case.h"
 #include "core/bench/bench_meter.h"
+#include "core/bench/longest_step.h"
 #include "core/bench/worst.h"
 #include "core/sph/flow_solver.h"
 #ifdef SPIN_HAVE_CUDA
@@ -27,6 +28,7 @@ using Solver = std::unique_ptr<FlowSolver>;
 struct DamBreak {
   FlowConfig config;
   std::vector<FlowParticle> particles;
+  bool collapses = false;  ///< run to a developed flow, instead of some steps at the start
 };
 
 /// `shears` takes a Herschel-Bulkley fluid, which needs the velocity gradient.
@@ -102,15 +104,15 @@ double largestDensityError(const FlowSolver& solver, double restDensity) {
   return largest;
 }
 
-/// The collapse by the implicit pressure, from the start to a developed flow.
-struct ImplicitRun {
+/// The collapse from the start to a developed flow.
+struct Collapse {
   double simulated = 0.0, wall = 0.0;  ///< s
   int steps = 0, iterations = 0, unreached = 0;
-  double compression = 0.0;  ///< largest mean over particles after the first steps
+  double compression = 0.0;  ///< implicit pressure: largest mean over particles after the first steps
 };
 
-Result<ImplicitRun> runImplicit(FlowSolver& solver, double seconds) {
-  ImplicitRun run;
+Result<Collapse> runCollapse(FlowSolver& solver, double seconds) {
+  Collapse run;
   solver.timings().clear();
   const auto start = std::chrono::steady_clock::now();
   while (run.simulated < seconds) {
@@ -142,23 +144,36 @@ void addStages(FlowSolver& solver, BenchRow& row) {
     row.addTime("share_" + stage.name, 100.0 * stage.seconds / total, "%");
 }
 
-Result<BenchRow> measureImplicit(const DamBreak& scene, FlowSolver& solver, int threads,
+constexpr double kCollapseSeconds = 0.3;
+
+/// Seconds per simulated second: of the implicit pressure, or of the state equation with the longest step
+/// that carries the scene.
+Result<BenchRow> measureCollapse(const DamBreak& scene, FlowSolver& solver, int threads,
                                  const std::string& isa) {
-  constexpr double kSeconds = 0.3;
+  const FlowConfig& c = scene.config;
+  const bool implicit = c.pressure == PressureMode::Implicit;
   const BenchMeter meter;
   BenchRow row;
   const double n = static_cast<double>(scene.particles.size());
   if (const Status ok = solver.add(scene.particles); !ok) return ok.error();
-  const Result<ImplicitRun> run = runImplicit(solver, kSeconds);
+  const Result<Collapse> run = runCollapse(solver, kCollapseSeconds);
   if (!run) return run.error();
   row.caseId = "sph-speed";
-  row.settings = {{"particles", fmt::format("{}", scene.particles.size())}, {"solver", "implicit, 1 %"}};
+  row.settings = {
+      {"particles", fmt::format("{}", scene.particles.size())},
+      {"solver", implicit                               ? "implicit, 1 %"
+                 : c.density == DensityMode::Continuity ? "state equation by continuity, longest step"
+                                                        : "state equation by summation, longest step"}};
   row.addTime("seconds_per_simulated_second", run->wall / run->simulated, "1");
   row.addTime("particle_steps_per_second", n * run->steps / run->wall, "1/s");
-  row.addFigure("iterations_per_step", static_cast<double>(run->iterations) / run->steps, "1");
-  row.addFigure("steps_not_converged", run->unreached, "1");
   row.addFigure("seconds_per_step", run->simulated / run->steps, "s");
-  row.addError("mean_compression", run->compression, "1", scene.config.densityError);
+  if (implicit) {
+    row.addFigure("iterations_per_step", static_cast<double>(run->iterations) / run->steps, "1");
+    row.addFigure("steps_not_converged", run->unreached, "1");
+    row.addError("mean_compression", run->compression, "1", c.densityError);
+  } else {
+    row.addFigure("courant", c.courant, "1");
+  }
   row.addFigure("bytes_per_particle", static_cast<double>(solver.bytes()) / n, "B");
   addStages(solver, row);
   meter.finish(row);
@@ -169,7 +184,7 @@ Result<BenchRow> measureImplicit(const DamBreak& scene, FlowSolver& solver, int 
 }
 
 Result<BenchRow> measure(const DamBreak& scene, FlowSolver& solver, int threads, const std::string& isa) {
-  if (scene.config.pressure == PressureMode::Implicit) return measureImplicit(scene, solver, threads, isa);
+  if (scene.collapses) return measureCollapse(scene, solver, threads, isa);
   const BenchMeter meter;
   BenchRow row;
   const double n = static_cast<double>(scene.particles.size());
@@ -201,7 +216,26 @@ Result<BenchRow> measure(const DamBreak& scene, FlowSolver& solver, int threads,
   return row;
 }
 
-enum class Kind { Newtonian, Shears, Implicit };
+enum class Kind { Newtonian, Shears, Implicit, LongestSums, LongestContinuity };
+
+/// The scene of a row; the longest step is searched with a small one, on a processor.
+Result<DamBreak> sceneOf(Kind kind, int particles, const BenchOptions& options) {
+  constexpr int kSmall = 8000;
+  DamBreak scene = damBreak(particles, kind == Kind::Shears);
+  scene.collapses = kind != Kind::Newtonian && kind != Kind::Shears;
+  if (kind == Kind::Implicit) scene.config.pressure = PressureMode::Implicit;
+  if (kind != Kind::LongestSums && kind != Kind::LongestContinuity) return scene;
+  const DensityMode density = kind == Kind::LongestSums ? DensityMode::Summation : DensityMode::Continuity;
+  DamBreak small = damBreak(kSmall, false);
+  small.config.density = scene.config.density = density;
+  BenchOptions onProcessor = options;
+  onProcessor.device = "cpu";
+  const Result<double> courant =
+      longestCourant(small.config, small.particles, 2.0 * kCollapseSeconds, onProcessor);
+  if (!courant) return courant.error();
+  scene.config.courant = scene.config.forceFactor = *courant;
+  return scene;
+}
 
 BenchRow skippedRow(const std::string& why) {
   BenchRow row;
@@ -249,6 +283,14 @@ Status addCudaRows(const BenchOptions& options, const DamBreak& scene, std::vect
   return {};
 }
 
+std::vector<Kind> kindsOf(int particles, bool quick) {
+  if (particles == 200000 && !quick)
+    return {Kind::Newtonian, Kind::Shears, Kind::Implicit, Kind::LongestSums, Kind::LongestContinuity};
+  if (particles == 200000) return {Kind::Newtonian, Kind::Shears};
+  if (particles == 50000) return {Kind::Newtonian, Kind::Implicit};
+  return {Kind::Newtonian};
+}
+
 Result<std::vector<BenchRow>> run(const BenchOptions& options) {
   std::vector<int> sizes{50000, 200000};
   if (!options.quick) sizes.insert(sizes.end(), {1000000, 4000000});
@@ -256,15 +298,13 @@ Result<std::vector<BenchRow>> run(const BenchOptions& options) {
   if (!options.quick && options.device == "cuda") sizes = {200000, 512000, 2000000, 8000000};
   std::vector<BenchRow> rows;
   for (const int size : sizes)
-    for (const Kind kind : {Kind::Newtonian, Kind::Shears, Kind::Implicit}) {
-      if (kind == Kind::Shears && size != 200000) continue;
-      if (kind == Kind::Implicit && size > (options.quick ? 50000 : 200000)) continue;
-      DamBreak scene = damBreak(size, kind == Kind::Shears);
-      if (kind == Kind::Implicit) scene.config.pressure = PressureMode::Implicit;
+    for (const Kind kind : kindsOf(size, options.quick)) {
+      const Result<DamBreak> scene = sceneOf(kind, size, options);
+      if (!scene) return scene.error();
       if (options.device != "cpu")
-        if (const Status ok = addCudaRows(options, scene, rows); !ok) return ok.error();
+        if (const Status ok = addCudaRows(options, *scene, rows); !ok) return ok.error();
       if (options.device != "cuda")
-        if (const Status ok = addCpuRows(options, scene, rows); !ok) return ok.error();
+        if (const Status ok = addCpuRows(options, *scene, rows); !ok) return ok.error();
     }
   return rows;
 }

@@ -54,6 +54,16 @@ struct CubicSpline {
                                   b2 * b2 * b * mulAdd(T(4.0f / 15.0f), b, T(-0.2f)));
     return selectLess(s, T(0.0f), T(1.0f) - outside, outside);
   }
+
+  /// Integral of halfSpaceIntegral() from s to 1, s >= 0.
+  template <class T>
+  SPIN_HD_INLINE static T halfSpaceMoment(T s) {
+    const T a = maximum(T(1.0f) - s, T(0.0f));
+    const T b = maximum(T(0.5f) - s, T(0.0f));
+    const T a3 = a * a * a, b3 = b * b * b;
+    return T(16.0f) * (a3 * a3 * mulAdd(T(-1.0f / 105.0f), a, T(1.0f / 60.0f)) +
+                       b3 * b3 * mulAdd(T(4.0f / 105.0f), b, T(-1.0f / 30.0f)));
+  }
 };
 
 /// poly6 of Mueller et al. 2003, eq. 20: needs no square root; for densities. Its gradient vanishes at the

@@ -29,10 +29,10 @@ SPIN_HD_INLINE void forBoundaryNear(const FlowView& v, const FlowView& boundary,
 /// P_i + p_b of a pair: the body's pressure is the particle's, continued hydrostatically to the boundary
 /// particle and never below 0, as at walls (pressure mirroring: Akinci et al. 2012). `pressure` is p_i,
 /// `toBody` x_b - x_i in supports.
-/// A pressure that is solved for pushes alone, as the solve has it.
+/// Where the pressure is solved for, the body's is the particle's, as the solve has it.
 SPIN_HD_INLINE float bodyPush(const FlowView& v, float pressureTerm, float pressure, float restDensity,
                               const PairVector<float>& toBody) {
-  if (v.pressureSolve.pressure) return pressureTerm;
+  if (v.pressureSolve.pressure) return kSolveMirror * pressureTerm;
   const FlowConstants& c = v.constants;
   const float rise =
       c.support * (c.gravityX * toBody.x + c.gravityY * toBody.y + c.gravityZ * toBody.z) * restDensity;

@@ -23,7 +23,7 @@ struct BodyConstraintKernel {
       gradient.y += slope * d.y;
       gradient.z += slope * d.z;
     });
-    const float scale = -v.constants.gradientFactor;
+    const float scale = -kSolveMirror * v.constants.gradientFactor;
     v.excess[i] += sum;
     v.ax[i] += scale * gradient.x;
     v.ay[i] += scale * gradient.y;
@@ -49,7 +49,7 @@ struct BodyDivergenceKernel {
       const float approach = (r.vx - w.vx) * d.x + (r.vy - w.vy) * d.y + (r.vz - w.vz) * d.z;
       sum -= w.volume * CubicSpline::slopeOverQ(distanceOf(d)) * approach;
     });
-    v.bodyRate[i] = v.constants.gradientFactor * sum;
+    v.bodyRate[i] = kSolveMirror * v.constants.gradientFactor * sum;
   }
 };
 
@@ -61,7 +61,7 @@ struct BodySolvePushKernel {
     const std::uint32_t i = b.list[k];
     PairRecord& r = v.record[i];
     PairVector<float> sum{0.0f, 0.0f, 0.0f};
-    const float push = v.pressureSolve.push[i];
+    const float push = kSolveMirror * v.pressureSolve.push[i];
     forBoundaryNear(v, b.grid, i, [&](const PairVector<float>& d, std::uint32_t j) {
       const float scale =
           b.record[j].volume * bodyForceScale(v.constants, push, CubicSpline::slopeOverQ(distanceOf(d)));
@@ -94,8 +94,8 @@ struct BodySolveLoadKernel {
     forBoundaryNear(b.grid, v, n, [&](const PairVector<float>& d, std::uint32_t i) {
       const float slope = CubicSpline::slopeOverQ(distanceOf(d));
       const double scale =
-          volume *
-          static_cast<double>(w.volume * bodyForceScale(v.constants, v.pressureSolve.push[i], slope));
+          volume * static_cast<double>(
+                       w.volume * bodyForceScale(v.constants, kSolveMirror * v.pressureSolve.push[i], slope));
       BodyReactionKernel::add(sum, scale * static_cast<double>(d.x), scale * static_cast<double>(d.y),
                               scale * static_cast<double>(d.z), static_cast<double>(w.armX),
                               static_cast<double>(w.armY), static_cast<double>(w.armZ));

@@ -165,7 +165,7 @@ struct PressureKernel {
     WallShares shares;
     bool touches = false;
     v.walls.near(p.x, p.y, p.z, c.support, [&](const WallContact& wall) {
-      shares.add(CubicSpline::halfSpaceIntegral(wall.distance / c.support));
+      shares.add(solidShare(wall.distance / c.support, c.layer).density);
       touches = true;
     });
     ParticleExtra& extra = v.extra[i];
@@ -244,21 +244,8 @@ struct IntegrateKernel {
 
   /// Pressure, solidity and friction of all walls near particle i; changes its velocity.
   SPIN_HD void actWalls(std::size_t i, PairVector<float>& velocity) const {
-    const FlowConstants& c = v.constants;
-    const PairRecord& r = v.record[i];
-    const PairVector<float> p = metresOf(v, i);
-    WallShares shares;
-    v.walls.near(p.x, p.y, p.z, c.support, [&](const WallContact& w) {
-      shares.add(CubicSpline::halfSpaceIntegral(w.distance / c.support));
-    });
-    const float e = 1.0f + v.excess[i], pressure = r.pressureTerm * e * e;
-    v.walls.near(p.x, p.y, p.z, c.support, [&](const WallContact& w) {
-      const float s = w.distance / c.support;
-      const float along = c.gravityX * w.nx + c.gravityY * w.ny + c.gravityZ * w.nz;
-      const float weight = shares.weight(CubicSpline::halfSpaceIntegral(s));
-      const float push =
-          weight * wallPush(s, r.pressureTerm, wallPressure(pressure, r.restDensity, along, w.distance),
-                            r.restDensity, c.support);
+    forWallSlopes(v, i, [&](const WallContact& w, float slope) {
+      const float push = wallPushOf(v, i, w, slope);
       velocity.x += kick * push * w.nx;
       velocity.y += kick * push * w.ny;
       velocity.z += kick * push * w.nz;

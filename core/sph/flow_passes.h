@@ -89,7 +89,35 @@ SPIN_HD_INLINE void addWallGradients(const FlowView& v, std::size_t i, GradientS
                });
 }
 
-/// Shear rate and, from it, the viscosity of particle i.
+/// Brings the gradient from where its sums have it to the particle, and gives the shear rate at the nearest
+/// no-slip wall; -1 without one.
+SPIN_HD_INLINE float correctAtWalls(const FlowView& v, std::size_t i, float* g) {
+  const FlowConstants& c = v.constants;
+  const float metres = 1.0f / c.unitsPerMetre;
+  const PairRecord& r = v.record[i];
+  float change[9] = {}, nearest = c.support, shearAtWall = -1.0f;
+  v.walls.near(static_cast<float>(v.x[i]) * metres, static_cast<float>(v.y[i]) * metres,
+               static_cast<float>(v.z[i]) * metres, c.support, [&](const WallContact& w) SPIN_INLINE_LAMBDA {
+                 if (v.walls.surface[w.surface].friction != WallFriction::NoSlip) return;
+                 const float distance = maximum(w.distance, kLeastWallDistance * c.spacing);
+                 const PairVector<float> slope{g[0] * w.nx + g[1] * w.ny + g[2] * w.nz,
+                                               g[3] * w.nx + g[4] * w.ny + g[5] * w.nz,
+                                               g[6] * w.nx + g[7] * w.ny + g[8] * w.nz};
+                 const WallSlopes at =
+                     slopesAtWall(w, distance, c.support, {r.vx - w.vx, r.vy - w.vy, r.vz - w.vz}, slope);
+                 const float n[3] = {w.nx, w.ny, w.nz};
+                 for (int b = 0; b < 3; ++b) {
+                   change[b] += at.change.x * n[b];
+                   change[3 + b] += at.change.y * n[b];
+                   change[6 + b] += at.change.z * n[b];
+                 }
+                 if (w.distance < nearest) nearest = w.distance, shearAtWall = at.shearAtWall;
+               });
+  for (int k = 0; k < 9; ++k) g[k] += change[k];
+  return shearAtWall;
+}
+
+/// Shear rate and, from it, the viscosity of particle i, and of the wall near it.
 SPIN_HD_INLINE void finishShear(const FlowView& v, std::size_t i, GradientSums<float>& sums) {
   const FlowConstants& c = v.constants;
   // V0 norm/h^3 = densityFactor scales the matrix, V0 norm/h^4 the gradient.
@@ -97,12 +125,16 @@ SPIN_HD_INLINE void finishShear(const FlowView& v, std::size_t i, GradientSums<f
   for (float& value : sums.m) value *= c.densityFactor;
   addWallGradients(v, i, sums);
   correctGradient(sums.m, sums.g);
+  const float atWall = (v.extra[i].flags & kNearWall) != 0 ? correctAtWalls(v, i, sums.g) : -1.0f;
   const float rate = shearRateOf(sums.g);
   const float e = 1.0f + v.excess[i];
   v.shearRate[i] = rate;
-  const float viscosity =
-      apparentViscosity(c.material[v.extra[i].material].rheology, rate, v.record[i].pressureTerm * e * e);
+  const Rheology& rheology = c.material[v.extra[i].material].rheology;
+  const float pressure = v.record[i].pressureTerm * e * e;
+  const float viscosity = apparentViscosity(rheology, rate, pressure);
   v.record[i].viscosity = viscosity;
+  v.wallViscosity[i] =
+      atWall < 0.0f ? viscosity : 0.5f * (viscosity + apparentViscosity(rheology, atWall, pressure));
   if (!v.stress) return;
   // tau = 2 mu D, over the square of the relative density.
   const float* g = sums.g;

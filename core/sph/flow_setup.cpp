@@ -135,12 +135,21 @@ void setWalls(const FlowConfig& c, WallView& view) {
   view.ground.cell = static_cast<float>(ground.cellSize);
 }
 
+/// What the pairwise viscosity makes too much of: its sum over layers of a lattice that slide along each
+/// other, as in a flow that shears, taken as planes. 1.0000 at a support of 2 spacings, 1.0096 at 3.
+double latticeFactor(double supportSpacings) {
+  double sum = 0.0;
+  for (double layer = 1.0; layer < supportSpacings; ++layer)
+    sum += layer * layer * CubicSpline::shape(layer / supportSpacings);
+  return 4.0 * kPi * CubicSpline::kNorm / (supportSpacings * supportSpacings * supportSpacings) * sum;
+}
+
 FlowConstants flowConstants(const FlowConfig& c) {
   const double h = c.support(), volume = c.spacing * c.spacing * c.spacing * CubicSpline::kNorm;
   FlowConstants k;
   k.densityFactor = static_cast<float>(volume / (h * h * h));
   k.gradientFactor = static_cast<float>(volume / (h * h * h * h));
-  k.viscousFactor = static_cast<float>(volume / (h * h * h * h * h));
+  k.viscousFactor = static_cast<float>(volume / (h * h * h * h * h) / latticeFactor(c.supportSpacings));
   // One diffusion for all materials: by the slowest sound, which is stable for the others too.
   double sound = c.materials[0].soundSpeed;
   for (const FlowMaterialConfig& m : c.materials) sound = std::min(sound, m.soundSpeed);
@@ -153,6 +162,7 @@ FlowConstants flowConstants(const FlowConfig& c) {
   k.smoothFactor = static_cast<float>(c.smoothing) * k.densityFactor;
   k.support = static_cast<float>(h);
   k.spacing = static_cast<float>(c.spacing);
+  k.layer = static_cast<float>(1.0 / c.supportSpacings);
   k.unitsPerMetre = static_cast<float>(kCellUnits / h);
   const Vec3f g = c.gravity.to<float>(), w = c.wind.to<float>();
   k.gravityX = g.x, k.gravityY = g.y, k.gravityZ = g.z;

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/sph/backend_passes.h"
 #include "core/sph/flow_bodies.h"
 #include "core/sph/flow_kernels.h"
 #include "core/sph/flow_sampler.h"
@@ -21,42 +22,6 @@
 #include "core/sph/mesh_walls.h"
 
 namespace spin {
-
-/// How a backend arranges the pair passes. The general form gives every particle a thread; the processor has
-/// its own in flow_solver_cpu.cpp.
-template <class Backend>
-struct FlowPasses {
-  void density(Backend& backend, const FlowView& view) {
-    backend.forEach("density", view.count, PairKernel<DensityPass>{view});
-  }
-  void shear(Backend& backend, const FlowView& view) {
-    backend.forEach("shear rate", view.count, PairKernel<ShearPass>{view});
-  }
-  void force(Backend& backend, const FlowView& view) {
-    if (view.sx && view.rate)
-      backend.forEach("force", view.count, PairKernel<SmoothContinuityForcePass>{view});
-    else if (view.sx)
-      backend.forEach("force", view.count, PairKernel<SmoothForcePass>{view});
-    else if (view.rate)
-      backend.forEach("force", view.count, PairKernel<ContinuityForcePass>{view});
-    else
-      backend.forEach("force", view.count, PairKernel<PlainForcePass>{view});
-  }
-  void solve(Backend& backend, const char* name, const FlowView& view, SolvePass pass) {
-    switch (pass) {
-      case SolvePass::Constraint:
-        return backend.forEach(name, view.count, PairKernel<ConstraintPass>{view});
-      case SolvePass::Divergence:
-        return backend.forEach(name, view.count, PairKernel<DivergencePass>{view});
-      case SolvePass::PressurePush:
-        return backend.forEach(name, view.count, PairKernel<PressurePushPass>{view});
-      case SolvePass::ViscousProduct:
-        return backend.forEach(name, view.count, PairKernel<ViscousProductPass>{view});
-      case SolvePass::Stress:
-        return backend.forEach(name, view.count, PairKernel<StressPass>{view});
-    }
-  }
-};
 
 template <class Backend>
 class FlowSolverOn final : public FlowSolver {
@@ -184,8 +149,9 @@ class FlowSolverOn final : public FlowSolver {
               m_otherExcess, m_rate, m_ax, m_ay, m_az) +
            of(m_sx, m_sy, m_sz, m_shear, m_id, m_otherId, m_key, m_otherKey, m_order, m_rows, m_rowBins,
               m_binStart) +
-           of(m_ground, m_groundSurfaces, m_stress, m_bodyRate) + m_sampler.bytes() + m_meshes.bytes() +
-           m_bodies.bytes() + m_pressure.bytes() + m_viscosity.bytes() + m_backend.scratchBytes();
+           of(m_ground, m_groundSurfaces, m_stress, m_bodyRate, m_wallViscosity) + m_sampler.bytes() +
+           m_meshes.bytes() + m_bodies.bytes() + m_pressure.bytes() + m_viscosity.bytes() +
+           m_backend.scratchBytes();
   }
 
  private:
@@ -267,7 +233,8 @@ class FlowSolverOn final : public FlowSolver {
     if (m_config.density == DensityMode::Continuity) m_rate.resize(padded);
     if (m_config.smoothing > 0.0)
       for (Array<float>* array : {&m_sx, &m_sy, &m_sz}) array->resize(padded);
-    if (needsShearRate(m_config)) m_shear.resize(padded);
+    if (needsShearRate(m_config))
+      for (Array<float>* array : {&m_shear, &m_wallViscosity}) array->resize(padded);
     if (m_config.viscosity == ViscosityMode::Stress) m_stress.resize(padded);
     if (m_config.pressure == PressureMode::Implicit) m_pressure.allocate(padded);
     if (implicitPressure() && m_bodies.any()) m_bodyRate.resize(padded);
@@ -294,6 +261,7 @@ class FlowSolverOn final : public FlowSolver {
     m_view.sy = smooth ? m_sy.data() : nullptr;
     m_view.sz = smooth ? m_sz.data() : nullptr;
     m_view.shearRate = needsShearRate(m_config) ? m_shear.data() : nullptr;
+    m_view.wallViscosity = needsShearRate(m_config) ? m_wallViscosity.data() : nullptr;
     m_view.stress = m_config.viscosity == ViscosityMode::Stress ? m_stress.data() : nullptr;
     m_view.bodyRate = implicitPressure() && m_bodies.any() ? m_bodyRate.data() : nullptr;
     m_pressure.point(m_config, m_view);
@@ -583,7 +551,8 @@ class FlowSolverOn final : public FlowSolver {
   Array<std::int32_t> m_x, m_y, m_z, m_otherX, m_otherY, m_otherZ;
   Array<PairRecord> m_record;
   Array<ParticleExtra> m_extra, m_otherExtra;
-  Array<float> m_excess, m_otherExcess, m_rate, m_ax, m_ay, m_az, m_sx, m_sy, m_sz, m_shear, m_ground;
+  Array<float> m_excess, m_otherExcess, m_rate, m_ax, m_ay, m_az, m_sx, m_sy, m_sz, m_shear, m_wallViscosity,
+      m_ground;
   Array<std::uint8_t> m_groundSurfaces;
   MeshWalls<Backend> m_meshes;
   FlowBodies<Backend> m_bodies;

@@ -108,13 +108,14 @@ struct FlowMaterial {
 struct FlowConstants {
   float densityFactor = 0;                         ///< V0 norm / h^3
   float gradientFactor = 0;                        ///< V0 norm / h^4: times slopeOverQ times offset/h
-  float viscousFactor = 0;                         ///< V0 norm / h^5
+  float viscousFactor = 0;                         ///< V0 norm / h^5 over the lattice's own factor
   float pairDrag = 1;                              ///< share of the viscosity that acts in the force pass
   float diffusionFactor = 0;                       ///< 2 delta (h/2) c V0 norm / h^5
   float soundFactor = 0;                           ///< 2 c^2 V0 norm / h^5, times the step: see DensityRate
   float smoothFactor = 0;                          ///< XSPH's c V0 norm / h^3; 0 = off
   float support = 1;                               ///< h, m
   float spacing = 1;                               ///< m
+  float layer = 0.5f;                              ///< spacing / h
   float unitsPerMetre = 1;                         ///< kCellUnits / h
   float timeStep = 0;                              ///< s
   float gravityX = 0, gravityY = 0, gravityZ = 0;  ///< m/s2
@@ -136,6 +137,7 @@ struct FlowView {
   float *ax = nullptr, *ay = nullptr, *az = nullptr;  ///< acceleration by neighbours, m/s2
   float *sx = nullptr, *sy = nullptr, *sz = nullptr;  ///< XSPH's change of velocity, m/s; null = off
   float* shearRate = nullptr;                         ///< 1/s; null where no material needs it
+  float* wallViscosity = nullptr;  ///< mean of a particle and the wall that holds it, Pa s; as shearRate
   float* bodyRate = nullptr;  ///< rate of the excess by bodies in an implicit solve, 1/s; null without bodies
   ParticleExtra* extra = nullptr;
   std::uint32_t* id = nullptr;

@@ -46,14 +46,14 @@ struct ConstraintKernel {
     bool touches = false;
     forWallSlopes(v, i, [&](const WallContact& w, float slope) {
       touches = true;
-      open *= 1.0f - CubicSpline::halfSpaceIntegral(w.distance / c.support);
-      walls.x -= slope * w.nx;
-      walls.y -= slope * w.ny;
-      walls.z -= slope * w.nz;
+      open *= maximum(1.0f - solidShare(w.distance / c.support, c.layer).density, 0.0f);
+      walls.x -= kSolveMirror * slope * w.nx;
+      walls.y -= kSolveMirror * slope * w.ny;
+      walls.z -= kSolveMirror * slope * w.nz;
     });
     ParticleExtra& extra = v.extra[i];
     extra.flags = touches ? extra.flags | kNearWall : extra.flags & ~kNearWall;
-    v.excess[i] = c.densityFactor * v.excess[i] - maximum(open, 0.0f);
+    v.excess[i] = c.densityFactor * v.excess[i] - open;
     const PairVector<float> g{v.ax[i] + walls.x, v.ay[i] + walls.y, v.az[i] + walls.z};
     const float own = g.x * g.x + g.y * g.y + g.z * g.z;
     const float stiffness = v.pressureSolve.compliance[i] + own / r.restDensity;

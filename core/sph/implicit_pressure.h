@@ -44,6 +44,7 @@ class ImplicitPressure {
     PressureSolveView& s = view.pressureSolve;
     const double wanted = kSurplusShare * compression / (kEasyShare * config.densityError);
     s.surplusShare = static_cast<float>(share * std::clamp(wanted, kSurplusShare, 1.0));
+    s.deficitRoom = static_cast<float>(kDeficitRoom * config.densityError);
     s.relaxation = kFirstRelaxation;
     const double goal = kSolveShare * share * config.densityError;
     double theta = 1.0, before = INFINITY;
@@ -77,7 +78,9 @@ class ImplicitPressure {
   static constexpr int kLeast = 1;
   /// Share of an excess that is taken off in a step, while the mean is below kEasyShare of the error asked
   /// for; in proportion above.
-  static constexpr double kSurplusShare = 0.1, kEasyShare = 0.3;
+  static constexpr double kSurplusShare = 0.1, kEasyShare = 0.25;
+  /// Share of the error asked for: a deficit within it is taken for contact.
+  static constexpr double kDeficitRoom = 0.5;
   /// What a step may add to the mean excess, share of the density's error.
   static constexpr double kSolveShare = 0.05;
   /// Plain steps are stable below 4 over the largest eigenvalue's bound, steps with momentum below a third of

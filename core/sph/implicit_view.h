@@ -23,6 +23,7 @@ struct PressureSolveView {
   float relaxation = 0;
   float momentum = 0;       ///< share of the last change that is added again
   float surplusShare = 0;   ///< of an excess above 0, taken off in this step
+  float deficitRoom = 0;    ///< deficit of which no more than that share is filled up in a step
   float leastPressure = 0;  ///< Pa; far below 0 where tension is allowed
   float deficitShare = 0;   ///< 1 where a density below that at rest counts as an error too
 };
@@ -41,7 +42,7 @@ struct ViscousSolveView {
   float* diagonal = nullptr;                          ///< of the pairs' part, kg/m3
   float* slip = nullptr;                              ///< speed along the wall when the solve began, m/s
   float timeStep = 0;                                 ///< s
-  float factor = 0;                                   ///< timeStep times V0 norm / h^5
+  float factor = 0;                                   ///< timeStep times FlowConstants::viscousFactor
 };
 
 /// Viscous stress over the square of the relative density, Pa; null where viscosity is pairwise.

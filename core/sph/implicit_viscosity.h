@@ -38,10 +38,9 @@ class ImplicitViscosity {
   template <class Passes>
   std::uint32_t solve(Backend& backend, Passes& passes, const FlowConfig& config, FlowView view,
                       double seconds, FlowSolve& done) {
-    const double h = config.support(), volume = config.spacing * config.spacing * config.spacing;
     view.viscousSolve.timeStep = static_cast<float>(seconds);
     view.viscousSolve.factor =
-        static_cast<float>(seconds * volume * CubicSpline::kNorm / (h * h * h * h * h));
+        static_cast<float>(seconds * static_cast<double>(view.constants.viscousFactor));
     const auto leastSpeed = static_cast<float>(length(config.gravity) * seconds);
     const std::size_t n = view.count;
     const ViscousMomentum start = momentum(backend, view);

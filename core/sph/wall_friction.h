@@ -19,8 +19,9 @@ SPIN_HD_INLINE PairVector<float> slideAlong(const WallContact& w, const PairVect
 SPIN_HD_INLINE float stickRate(const FlowView& v, std::size_t i, const WallContact& w) {
   const FlowConstants& c = v.constants;
   const PairRecord& r = v.record[i];
+  const float viscosity = v.wallViscosity ? v.wallViscosity[i] : r.viscosity;
   return wallDragRate(w.distance / c.support, maximum(w.distance, kLeastWallDistance * c.spacing),
-                      r.viscosity / r.restDensity, c.support);
+                      viscosity / r.restDensity, c.support);
 }
 
 /// Rate at which the ground's turbulence takes up a slide, 1/s.
@@ -67,8 +68,8 @@ SPIN_HD_INLINE void rubAlong(const FlowView& v, std::size_t i, const WallContact
   velocity.z -= (1.0f - keep) * slide.z;
 }
 
-/// Calls visit(contact, slope) for every wall near particle i: slope is |grad lambda|, 1/m, weighted where
-/// several walls meet.
+/// Calls visit(contact, slope) for every wall near particle i: slope is that of solidShare(), 1/m, weighted
+/// where several walls meet.
 template <class Visit>
 SPIN_HD_INLINE void forWallSlopes(const FlowView& v, std::size_t i, const Visit& visit) {
   const FlowConstants& c = v.constants;
@@ -77,22 +78,23 @@ SPIN_HD_INLINE void forWallSlopes(const FlowView& v, std::size_t i, const Visit&
               z = static_cast<float>(v.z[i]) * metres;
   WallShares shares;
   v.walls.near(x, y, z, c.support, [&](const WallContact& w) SPIN_INLINE_LAMBDA {
-    shares.add(CubicSpline::halfSpaceIntegral(w.distance / c.support));
+    shares.add(solidShare(w.distance / c.support, c.layer).density);
   });
   v.walls.near(x, y, z, c.support, [&](const WallContact& w) SPIN_INLINE_LAMBDA {
-    const float s = w.distance / c.support;
-    visit(w, shares.weight(CubicSpline::halfSpaceIntegral(s)) * CubicSpline::planeIntegral(s) / c.support);
+    const SolidShare share = solidShare(w.distance / c.support, c.layer);
+    visit(w, shares.weight(share.density) * share.slope / c.support);
   });
 }
 
-/// Acceleration of particle i by a wall: the pressure that is solved for pushes alone, that of an equation of
-/// state together with the wall's own.
+/// Acceleration of particle i by a wall, m/s2: (P_i + p_w) slope / rho0. Both terms: a column at rest errs by
+/// 24 % and more without the wall's own pressure. That is the particle's where the pressure is solved for,
+/// else it is continued hydrostatically.
 SPIN_HD_INLINE float wallPushOf(const FlowView& v, std::size_t i, const WallContact& w, float slope) {
   const FlowConstants& c = v.constants;
   const PairRecord& r = v.record[i];
   const float e = 1.0f + v.excess[i], along = c.gravityX * w.nx + c.gravityY * w.ny + c.gravityZ * w.nz;
   const float wall = v.pressureSolve.pressure
-                         ? 0.0f
+                         ? (kSolveMirror - 1.0f) * r.pressureTerm
                          : wallPressure(r.pressureTerm * e * e, r.restDensity, along, w.distance);
   return slope / r.restDensity * (r.pressureTerm + wall);
 }
