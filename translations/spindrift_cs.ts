@@ -1446,6 +1446,14 @@
         <source>The state equation (small, cheap steps, slightly compressible), or solved for so that the density stays: larger steps, each of many iterations.</source>
         <translation>Stavová rovnice (malé, levné kroky, mírná stlačitelnost), nebo řešený tak, aby hustota zůstala: větší kroky, každý z mnoha iterací.</translation>
     </message>
+    <message>
+        <source>Tensile strength</source>
+        <translation>Pevnost v tahu</translation>
+    </message>
+    <message>
+        <source>Tension that it bears before it tears: what makes wet snow hang together and roll in lumps. Acts with the equation of state.</source>
+        <translation>Tah, který snese, než se přetrhne: díky němu mokrý sníh drží pohromadě a valí se v hrudách. Působí se stavovou rovnicí.</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>

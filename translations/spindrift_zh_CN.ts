@@ -1446,6 +1446,14 @@
         <source>The state equation (small, cheap steps, slightly compressible), or solved for so that the density stays: larger steps, each of many iterations.</source>
         <translation>状态方程（步小而省，略可压缩），或求解使密度保持不变：步更大，每步多次迭代。</translation>
     </message>
+    <message>
+        <source>Tensile strength</source>
+        <translation>抗拉强度</translation>
+    </message>
+    <message>
+        <source>Tension that it bears before it tears: what makes wet snow hang together and roll in lumps. Acts with the equation of state.</source>
+        <translation>断裂前所能承受的拉力:湿雪因此能粘在一起、成团滚动。仅在使用状态方程时起作用。</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>

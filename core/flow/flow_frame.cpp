@@ -95,6 +95,17 @@ class Publisher {
   std::size_t m_birth = 0;
 };
 
+std::shared_ptr<ParticlePart> boundaryPart(const std::vector<Vec3d>& places) {
+  auto part = std::make_shared<ParticlePart>();
+  ParticleSet& set = part->particles;
+  set.name = "flow_boundary";
+  for (const Vec3d& p : places) {
+    set.ids.push_back(set.ids.size());
+    set.positions.push_back(p.to<float>());
+  }
+  return part;
+}
+
 double massOf(const FlowConfig& config, const std::array<std::uint64_t, kMostMaterials>& counts) {
   double sum = 0.0;
   for (std::size_t m = 0; m < config.materials.size(); ++m)
@@ -146,6 +157,8 @@ double flowFrameBytes() {
 void publishFlow(const FlowReport& report, Frame& frame) {
   const std::vector<FlowSample> samples = report.solver.samples();
   frame.parts["flow"] = Publisher(report, frame.info.time.film).part(samples);
+  if (const std::vector<Vec3d> places = report.solver.bodyBoundary(); !places.empty())
+    frame.parts["flow_boundary"] = boundaryPart(places);
   publishBudget(report, samples, frame.info.budget);
   std::map<std::string, double>& figures = frame.info.figures;
   publishMotion(report, samples, figures);

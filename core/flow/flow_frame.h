@@ -48,7 +48,8 @@ struct FlowReport {
   int layers = 0;  ///< per slab depth, of the thinnest slab; 0 = no slab
 };
 
-/// Puts the part "flow" (particles), the terms of the mass budget and figures into the frame.
+/// Puts the parts "flow" (particles) and, where there are bodies, "flow_boundary" (their boundary particles,
+/// without attributes), the terms of the mass budget and figures into the frame.
 void publishFlow(const FlowReport& report, Frame& frame);
 /// Bytes of one particle in a frame.
 double flowFrameBytes();

@@ -63,10 +63,14 @@ FlowMaterialPreset flowMaterialPreset(FlowMaterialKind kind) {
       return {frictional(300.0, 50.0, 27.0, 1.0),
               "dense dry flow; cohesion and friction of the order that chute experiments with flowing snow "
               "give for dry snow (Platzer, Bartelt and Kern 2007; Bartelt et al. 2015)"};
-    case FlowMaterialKind::WetSnow:
-      return {frictional(450.0, 200.0, 24.0, 5.0),
+    case FlowMaterialKind::WetSnow: {
+      FlowMaterialConfig m = frictional(450.0, 200.0, 24.0, 5.0);
+      // The apex of the Mohr-Coulomb cone, c / tan(phi) = 449 Pa, is the most that this cohesion could bear.
+      m.tensileStrength = 200.0;
+      return {m,
               "dense wet flow; cohesion and friction of the order that chute experiments with flowing snow "
               "give for wet snow (Platzer, Bartelt and Kern 2007; Bartelt et al. 2015)"};
+    }
     case FlowMaterialKind::Slush: {
       FlowMaterialConfig m = frictional(900.0, 20.0, 0.0, 2.0);
       m.rheology.exponent = 0.7f;
@@ -89,6 +93,7 @@ FlowMaterialPreset flowMaterialPreset(FlowMaterialKind kind) {
 FlowMaterialConfig customFlowMaterial(const FlowMaterialNode& node) {
   FlowMaterialConfig m;
   m.restDensity = node.density;
+  m.tensileStrength = node.tensileStrength;
   Rheology& r = m.rheology;
   r.viscosity = static_cast<float>(node.viscosity);
   r.least = static_cast<float>(node.least);

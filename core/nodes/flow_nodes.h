@@ -94,6 +94,7 @@ struct FlowMaterialNode : NodeData {
   double exponent = 1.0;             ///< n
   double cohesion = 100.0;           ///< Pa: c, or the yield stress of Bingham and Herschel-Bulkley
   double frictionAngleDegrees = 25;  ///< internal friction
+  double tensileStrength = 0.0;      ///< Pa
   double viscosityAtSpeed = 1.0;     ///< Pa s: Cross' mu_inf
   double crossFactor = 1.0;          ///< Cross' K, s^n
   double least = 0.0;                ///< Pa s

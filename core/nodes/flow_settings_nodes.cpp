@@ -39,6 +39,12 @@ constexpr PropertyRow kMaterialRows[] = {
         SPIN_TR("Angle of internal friction; its tangent times the pressure adds to the cohesion."))
         .in(Unit::Degree)
         .range(0, 60, 1),
+    property<&FlowMaterialNode::tensileStrength>("tensile_strength_pa", SPIN_TR("Tensile strength"),
+                                                 SPIN_TR("Tension that it bears before it tears: what makes "
+                                                         "wet snow hang together and roll in lumps. Acts "
+                                                         "with the equation of state."))
+        .in(Unit::Pascal)
+        .range(0, 1e5, 10),
     property<&FlowMaterialNode::viscosityAtSpeed>("viscosity_at_speed_pa_s", SPIN_TR("Viscosity at speed"),
                                                   SPIN_TR("That of a Cross fluid in fast shear."))
         .in(Unit::PascalSecond)

@@ -27,10 +27,11 @@ SPIN_HD_INLINE T taitPressure(T excess, T restDensity, T soundSpeed) {
   return restDensity * soundSpeed * soundSpeed / T(7.0f) * excess * sum;
 }
 
-/// Negative pressure pulls particles together (tensile instability); free-surface flows clamp it.
+/// Negative pressure pulls particles together (tensile instability); free-surface flows clamp it, and what
+/// coheres bears a little of it: `strength` >= 0, Pa.
 template <class T>
-SPIN_HD_INLINE T clampTension(T pressure) {
-  return maximum(pressure, T(0.0f));
+SPIN_HD_INLINE T clampTension(T pressure, T strength) {
+  return maximum(pressure, T(0.0f) - strength);
 }
 
 }  // namespace spin

@@ -174,7 +174,7 @@ struct PressureKernel {
     const float excess = v.rate ? v.excess[i] : c.densityFactor * v.excess[i] + (shares.solid() - 1.0f);
     float pressure = material.tait ? taitPressure(excess, material.restDensity, material.soundSpeed)
                                    : linearPressure(excess, material.restDensity, material.soundSpeed);
-    if (c.clampTension) pressure = clampTension(pressure);
+    if (c.clampTension) pressure = clampTension(pressure, material.tension);
     v.excess[i] = excess;
     PairRecord& r = v.record[i];
     r.pressureTerm = pressure / ((1.0f + excess) * (1.0f + excess));

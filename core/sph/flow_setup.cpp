@@ -45,6 +45,7 @@ Status checkMaterial(const FlowMaterialConfig& m) {
   const Rheology& r = m.rheology;
   if (!inRange(m.restDensity, 1e-3, 1e5)) return badConfig("restDensity", "allowed is 0.001 to 100000 kg/m3");
   if (!inRange(m.soundSpeed, 1e-6, 1e5)) return badConfig("soundSpeed", "allowed is 0.000001 to 100000 m/s");
+  if (!inRange(m.tensileStrength, 0.0, 1e9)) return badConfig("tensileStrength", "allowed is 0 to 1e9 Pa");
   for (const float value : {r.viscosity, r.cohesion, r.frictionTangent, r.regularisation, r.viscosityAtSpeed,
                             r.crossFactor, r.least, r.most})
     if (!inRange(static_cast<double>(value), 0.0, 1e12))
@@ -172,7 +173,8 @@ FlowConstants flowConstants(const FlowConfig& c) {
   k.leapFrog = c.leapFrog;
   for (std::size_t m = 0; m < c.materials.size(); ++m)
     k.material[m] = {c.materials[m].rheology, static_cast<float>(c.materials[m].restDensity),
-                     static_cast<float>(c.materials[m].soundSpeed), c.materials[m].tait};
+                     static_cast<float>(c.materials[m].soundSpeed), c.materials[m].tait,
+                     static_cast<float>(c.materials[m].tensileStrength)};
   return k;
 }
 

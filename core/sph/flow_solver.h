@@ -23,10 +23,12 @@ namespace spin {
 
 /// A material that flows. SI.
 struct FlowMaterialConfig {
-  double restDensity = 1000.0;  ///< kg/m3; > 0
-  double soundSpeed = 40.0;     ///< m/s; > 0, about ten times the fastest flow
-  bool tait = false;            ///< Tait's equation of state, else the linear one
-  Rheology rheology;            ///< default: water
+  double restDensity = 1000.0;   ///< kg/m3; > 0
+  double soundSpeed = 40.0;      ///< m/s; > 0, about ten times the fastest flow
+  bool tait = false;             ///< Tait's equation of state, else the linear one
+  double tensileStrength = 0.0;  ///< Pa, >= 0: tension that it bears where FlowConfig::clampTension is set,
+                                 ///< with the equation of state
+  Rheology rheology;  ///< default: water
 };
 
 /// Solids. Places in world metres.
@@ -89,7 +91,7 @@ struct FlowConfig {
   Vec3d domainMin{};       ///< m; what leaves the box is taken out
   Vec3d domainMax{};       ///< m; along a periodic axis the length is a whole number of supports, >= 3
   bool periodic[3] = {false, false, false};
-  bool clampTension = true;      ///< no negative pressure
+  bool clampTension = true;      ///< no negative pressure but for the materials' tensile strength
   bool leapFrog = false;         ///< else semi-implicit Euler
   double courant = 0.25;         ///< share of a spacing that sound goes in a step
   double forceFactor = 0.25;     ///< step <= factor sqrt(spacing / |a|)

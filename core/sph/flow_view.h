@@ -102,6 +102,7 @@ struct FlowMaterial {
   float restDensity = 1000;  ///< kg/m3
   float soundSpeed = 1;      ///< m/s
   bool tait = false;         ///< else linear
+  float tension = 0;         ///< Pa that it bears
 };
 
 /// What does not change from pair to pair. h is the support radius, V0 = spacing^3.
@@ -122,7 +123,7 @@ struct FlowConstants {
   float windX = 0, windY = 0, windZ = 0;           ///< m/s
   float windDrag = 0;                              ///< 1/m: acceleration = windDrag |w - v| (w - v)
   float restX = 0, restY = 0, restZ = 0;  ///< gradient of the excess in fluid at rest, per support: g h / c^2
-  bool clampTension = true;               ///< no negative pressure
+  bool clampTension = true;               ///< no more tension than materials bear
   bool leapFrog = false;                  ///< else semi-implicit Euler
   FlowMaterial material[kMostMaterials];
 };

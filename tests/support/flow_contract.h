@@ -367,6 +367,31 @@ TYPED_TEST_P(FlowContract, RefusesWhatCannotBe) {
   for (const double step : {0.0, -1.0, nan}) EXPECT_FALSE((*solver)->step(step).ok());
 }
 
+TYPED_TEST_P(FlowContract, TensileStrengthHoldsTogether) {
+  // A slab whose halves part at 0.3 m/s each: 18 J/m2 of motion against 5 kPa over about a spacing and a
+  // half.
+  double apart[2] = {};
+  for (const bool coheres : {false, true}) {
+    FlowConfig c = testing::freeConfig(8, 8, 24);
+    c.density = DensityMode::Continuity;
+    c.materials[0].tensileStrength = coheres ? 5000.0 : 0.0;
+    auto particles = testing::lattice(c, 8, 8, 8, 0.0, {0, 0, 8 * c.spacing});
+    const double middle = 12.0 * c.spacing;
+    for (FlowParticle& p : particles) p.velocity.z = p.position.z > middle ? 0.3 : -0.3;
+    const Solver solver = this->start(c, particles);
+    this->run(*solver, 1e-3, 500);
+    double sum = 0.0;
+    for (const FlowSample& s : solver->samples()) {
+      const bool above = particles[s.particle.id].position.z > middle;
+      sum += above ? s.particle.position.z : -s.particle.position.z;
+    }
+    ASSERT_EQ(solver->count(), particles.size());
+    apart[coheres ? 1 : 0] = 2.0 * sum / static_cast<double>(particles.size()) - 4.0 * c.spacing;
+  }
+  EXPECT_GT(apart[0], 0.15) << "nothing holds water together";
+  EXPECT_LT(apart[1], 0.05) << "no wider than a spacing";
+}
+
 REGISTER_TYPED_TEST_SUITE_P(FlowContract, LatticeHasItsDensityWithinOnePercent,
                             FloorReplacesTheMissingHalfOfTheDensity, CornersOfWallsCountOnce,
                             PairForcesConserveMomentum, ViscosityAndSmoothingTakeEnergyAndKeepMomentum,
@@ -375,6 +400,7 @@ REGISTER_TYPED_TEST_SUITE_P(FlowContract, LatticeHasItsDensityWithinOnePercent,
                             MovingThePatternByWholeCellsChangesNothing,
                             PeriodicNeighboursAreSeenAcrossTheSeam, CrowdsLargerThanABatchAreSummedWhole,
                             SlowMotionIsNotLost, WhatLeavesTheDomainIsTakenOutAndOthersKeepTheirNumbers,
-                            StatesThatAreNotFiniteStopTheStep, NothingToDoIsFine, RefusesWhatCannotBe);
+                            StatesThatAreNotFiniteStopTheStep, TensileStrengthHoldsTogether,
+                            NothingToDoIsFine, RefusesWhatCannotBe);
 
 }  // namespace spin::contract

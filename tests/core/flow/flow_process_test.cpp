@@ -296,6 +296,15 @@ TEST(FlowProcess, BodiesStandMoveByKeysOrAreCarriedAway) {
     EXPECT_FALSE(within) << "in the pillar: " << p.x << " " << p.y << " " << p.z;
   }
   EXPECT_LT(std::abs(frame->info.budget.relativeImbalance()), 1e-12);
+  // Boundary particles lie within the moving bodies, where those are now.
+  const auto* boundary = frame->part<ParticlePart>("flow_boundary");
+  ASSERT_TRUE(boundary);
+  EXPECT_GT(boundary->particles.size(), 30u);
+  for (const Vec3f& p : boundary->particles.positions) {
+    const double toCrate = length(p.to<double>() - crate->placement.translation);
+    const double toRam = length(p.to<double>() - ram->placement.translation);
+    EXPECT_TRUE(toCrate < 0.7 || toRam < 0.53) << p.x << " " << p.y << " " << p.z;
+  }
 }
 
 TEST(FlowEstimate, IsAboutWhatIsThere) {

@@ -40,6 +40,8 @@ TEST(FlowMaterials, EveryPresetIsValidAndHasASource) {
   const Rheology snow = flowMaterialPreset(FlowMaterialKind::DrySnow).material.rheology;
   EXPECT_GT(snow.frictionTangent, 0.0f) << "snow is frictional";
   EXPECT_GT(flowMaterialPreset(FlowMaterialKind::WetSnow).material.rheology.cohesion, snow.cohesion);
+  EXPECT_GT(flowMaterialPreset(FlowMaterialKind::WetSnow).material.tensileStrength, 0.0)
+      << "wet snow coheres";
   const Rheology thinning = flowMaterialPreset(FlowMaterialKind::CrossThinning).material.rheology;
   EXPECT_GT(apparentViscosity(thinning, 0.001f, 0.0f), 90.0f);
   EXPECT_LT(apparentViscosity(thinning, 10.0f, 0.0f), 1.1f);

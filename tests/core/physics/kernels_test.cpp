@@ -117,8 +117,10 @@ TEST(HalfSpaceTest, SlopeOfTheHalfSpaceIntegralIsThePlaneIntegral) {
 
 TEST(StateEquationTest, IsLinearInTheExcess) {
   EXPECT_DOUBLE_EQ(linearPressure(0.01, 1000.0, 20.0), 4000.0);
-  EXPECT_EQ(clampTension(-3.0), 0.0);
-  EXPECT_EQ(clampTension(3.0), 3.0);
+  EXPECT_EQ(clampTension(-3.0, 0.0), 0.0);
+  EXPECT_EQ(clampTension(-3.0, 2.0), -2.0);
+  EXPECT_EQ(clampTension(-1.0, 2.0), -1.0);
+  EXPECT_EQ(clampTension(3.0, 2.0), 3.0);
 }
 
 }  // namespace
