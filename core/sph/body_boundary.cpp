@@ -12,6 +12,7 @@
 #include "core/fields/mesh_distance.h"
 #include "core/fields/surface_samples.h"
 #include "core/physics/kernels.h"
+#include "core/sph/wall_law.h"
 
 namespace spin {
 namespace {
@@ -88,9 +89,10 @@ BodyBoundary sampleBody(const RigidShape& shape, double spacing, double support)
   }
   if (boundary.positions.empty()) boundary.positions.push_back({});
   // A plane layer of such particles at distance z has the density share P(z) / P(0).
-  const double near = 0.5 * spacing / support;
-  const double factor = CubicSpline::halfSpaceIntegral(near) * CubicSpline::planeIntegral(0.0) /
-                        CubicSpline::planeIntegral(2.0 * near);
+  const double layer = spacing / support;
+  const auto share =
+      static_cast<double>(solidShare(static_cast<float>(0.5 * layer), static_cast<float>(layer)).density);
+  const double factor = share * CubicSpline::planeIntegral(0.0) / CubicSpline::planeIntegral(layer);
   const double cube = support * support * support / (spacing * spacing * spacing);
   for (const double sum : kernelSums(boundary.positions, support))
     boundary.volumes.push_back(static_cast<float>(factor * cube / sum));

@@ -17,7 +17,7 @@ struct BodyBoundary {
 /// Places particles half a spacing below the surface (in the middle where the body is thinner, on it where it
 /// is a sheet), about one to a square of the spacing. Each stands for the volume 1 / sum W over the body's
 /// own (Akinci et al. 2012), times one factor that gives a flow particle half a spacing off a plane face the
-/// density that the half-space behind it gives. At least one particle.
+/// density that the solid behind it gives as a wall (solidShare()). At least one particle.
 BodyBoundary sampleBody(const RigidShape& shape, double spacing, double support);
 
 }  // namespace spin

@@ -76,8 +76,8 @@ enum class PressureMode : std::uint8_t { EquationOfState, Implicit };
 /// the step to less than half of what else binds it, else Pairwise.
 enum class ViscosityMode : std::uint8_t { Auto, Pairwise, Stress, Implicit };
 
-/// The particle solver: SPH with pressure by an equation of state or implicitly, half-space integrals at
-/// solids, generalised Newtonian viscosity, XSPH.
+/// The particle solver: SPH with pressure by an equation of state or implicitly, solids without particles
+/// (wall_law.h), generalised Newtonian viscosity, XSPH.
 struct FlowConfig {
   double spacing = 0.05;                         ///< distance of particles at rest, m; > 0
   double supportSpacings = 2.0;                  ///< support radius: 2 fast, 3 accurate; 1.5 to 4
