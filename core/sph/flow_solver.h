@@ -28,7 +28,7 @@ struct FlowMaterialConfig {
   bool tait = false;             ///< Tait's equation of state, else the linear one
   double tensileStrength = 0.0;  ///< Pa, >= 0: tension that it bears where FlowConfig::clampTension is set,
                                  ///< with the equation of state
-  Rheology rheology;  ///< default: water
+  Rheology rheology;             ///< default: water
 };
 
 /// Solids. Places in world metres.
