@@ -1454,6 +1454,22 @@
         <source>Tension that it bears before it tears: what makes wet snow hang together and roll in lumps. Acts with the equation of state.</source>
         <translation>Tah, který snese, než se přetrhne: díky němu mokrý sníh drží pohromadě a valí se v hrudách. Působí se stavovou rovnicí.</translation>
     </message>
+    <message>
+        <source>Old snow</source>
+        <translation>Starý sníh</translation>
+    </message>
+    <message>
+        <source>Depth of the snow that lies on open level ground when the film begins. It fell with the wind of the first frame: steep slopes shed it, and sheltered places have less.</source>
+        <translation>Výška sněhu, který na začátku filmu leží na otevřené vodorovné ploše. Napadl při větru prvního snímku: strmé svahy ho shazují a na chráněných místech ho je méně.</translation>
+    </message>
+    <message>
+        <source>Density of old snow</source>
+        <translation>Hustota starého sněhu</translation>
+    </message>
+    <message>
+        <source>Density of the snow that lies when the film begins.</source>
+        <translation>Hustota sněhu, který leží na začátku filmu.</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>

@@ -1454,6 +1454,22 @@
         <source>Tension that it bears before it tears: what makes wet snow hang together and roll in lumps. Acts with the equation of state.</source>
         <translation>断裂前所能承受的拉力:湿雪因此能粘在一起、成团滚动。仅在使用状态方程时起作用。</translation>
     </message>
+    <message>
+        <source>Old snow</source>
+        <translation>旧雪</translation>
+    </message>
+    <message>
+        <source>Depth of the snow that lies on open level ground when the film begins. It fell with the wind of the first frame: steep slopes shed it, and sheltered places have less.</source>
+        <translation>影片开始时开阔水平地面上的积雪深度。它按第一帧的风降下：陡坡上的雪会滑落，有遮挡处积雪较少。</translation>
+    </message>
+    <message>
+        <source>Density of old snow</source>
+        <translation>旧雪密度</translation>
+    </message>
+    <message>
+        <source>Density of the snow that lies when the film begins.</source>
+        <translation>影片开始时积雪的密度。</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>

@@ -65,6 +65,17 @@ constexpr PropertyRow kSnowfallRows[] = {
         .in(Unit::Factor)
         .range(0, 10, 0.1)
         .animated(),
+    property<&SnowfallNode::oldSnowDepth>(
+        "old_snow_depth_m", SPIN_TR("Old snow"),
+        SPIN_TR(
+            "Depth of the snow that lies on open level ground when the film begins. It fell with the wind "
+            "of the first frame: steep slopes shed it, and sheltered places have less."))
+        .in(Unit::Metre)
+        .range(0, 20, 0.1),
+    property<&SnowfallNode::oldSnowDensity>("old_snow_density_kg_m3", SPIN_TR("Density of old snow"),
+                                            SPIN_TR("Density of the snow that lies when the film begins."))
+        .in(Unit::KilogramPerCubicMetre)
+        .range(10, 917, 10),
     property<&SnowfallNode::fallSpreadDegrees>(
         "fall_spread_deg", SPIN_TR("Fall spread"),
         SPIN_TR("Half-angle of the cone of fall directions; softens the edge of shelter."))

@@ -30,6 +30,8 @@ enum class FlakeType : std::uint8_t { UnrimedDendriteAggregate, RimedDendriteAgg
 struct SnowfallNode : NodeData {
   FlakeType type = FlakeType::UnrimedDendriteAggregate;
   double rateFactor = 1.0;          ///< on the weather's precipitation rate
+  double oldSnowDepth = 0.0;        ///< m, on open level ground at film time 0
+  double oldSnowDensity = 250.0;    ///< kg/m3
   double fallSpreadDegrees = 15.0;  ///< half-angle of the cone of fall directions
   double flutterAmplitude = 0.15;   ///< m
   double flutterRate = 3.0;         ///< rad/s

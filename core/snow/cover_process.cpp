@@ -18,6 +18,7 @@ struct CoverState {
 /// Mass since frame 0, kg; what lies on the cells is summed from them.
 struct Account {
   double emitted = 0.0, shed = 0.0, left = 0.0, residual = 0.0, aloft = 0.0;
+  double before = 0.0;  ///< fell before frame 0; a part of it is shed, left or residual
 };
 
 class CoverProcess final : public Process {
@@ -38,6 +39,10 @@ class CoverProcess final : public Process {
       m_grids.push_back(
           {std::vector<double>(grid.base.size(), 0.0), std::vector<double>(grid.base.size(), 0.0)});
     m_account = {};
+    const auto snowfall = scene.settings<SnowfallNode>(0.0);
+    const double before = snowfall.oldSnowDepth * snowfall.oldSnowDensity;
+    layDown(before, snowfall.oldSnowDensity, context);
+    m_account.before = before * m_field->rates.emitted;
     fillAir(scene, 0.0);
     return {};
   }
@@ -50,20 +55,8 @@ class CoverProcess final : public Process {
     const double density =
         settings.newSnowDensity > 0.0 ? settings.newSnowDensity : newSnowDensity(weather.airTemperature);
     const double fallen = weather.precipitation * (input.to.weather - input.from.weather);  // kg/m2
-    for (std::size_t g = 0; g < m_grids.size(); ++g) {
-      CoverState& state = m_grids[g];
-      const std::vector<float>& held = m_field->grids[g].held;
-      context.backend.forEach("cover", held.size(), [&](std::size_t c) {
-        const double gain = fallen * static_cast<double>(held[c]);
-        state.swe[c] += gain;
-        state.depth[c] += gain / density;
-      });
-    }
-    const SnowRates& rates = m_field->rates;
-    m_account.emitted += fallen * rates.emitted;
-    m_account.shed += fallen * rates.shed;
-    m_account.left += fallen * rates.left;
-    m_account.residual += fallen * rates.residual();
+    layDown(fallen, density, context);
+    m_account.emitted += fallen * m_field->rates.emitted;
     fillAir(input.scene, input.to.film);
     return {};
   }
@@ -124,6 +117,24 @@ class CoverProcess final : public Process {
   }
 
  private:
+  /// Books where snow goes of which so much falls on open level ground, kg/m2; who emitted it is the
+  /// caller's.
+  void layDown(double fallen, double density, ProcessContext& context) {
+    for (std::size_t g = 0; g < m_grids.size(); ++g) {
+      CoverState& state = m_grids[g];
+      const std::vector<float>& held = m_field->grids[g].held;
+      context.backend.forEach("cover", held.size(), [&](std::size_t c) {
+        const double gain = fallen * static_cast<double>(held[c]);
+        state.swe[c] += gain;
+        state.depth[c] += gain / density;
+      });
+    }
+    const SnowRates& rates = m_field->rates;
+    m_account.shed += fallen * rates.shed;
+    m_account.left += fallen * rates.left;
+    m_account.residual += fallen * rates.residual();
+  }
+
   void takeInputs(ProcessContext& context) {
     if (const auto* ground = context.exchange.find<SnowGroundPointer>()) m_ground = *ground;
     const auto* field = context.exchange.find<ExposureFieldPointer>();
@@ -144,6 +155,7 @@ class CoverProcess final : public Process {
 
   void publishBudget(double deposited, FrameInfo& info) const {
     info.budget.set("emitted", true, m_account.emitted);
+    if (m_account.before > 0.0) info.budget.set("fallen_before", true, m_account.before);
     info.budget.set("deposited", false, deposited);
     info.budget.set("shed", false, m_account.shed);
     info.budget.set("aloft", false, m_account.aloft);

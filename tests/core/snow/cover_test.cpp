@@ -50,6 +50,41 @@ TEST(Cover, FrameZeroIsBareAndItsAirIsFull) {
   EXPECT_EQ(frame.info.budget.get("emitted"), frame.info.budget.get("aloft"));
 }
 
+TEST(Cover, OldSnowLiesFromTheFirstFrameOnAndIsBooked) {
+  TestScene test;
+  test.snowfall.oldSnowDepth = 0.8;
+  test.snowfall.oldSnowDensity = 250.0;
+  // Half level, half at 45 degrees, where half of the snow is shed.
+  const SceneSnapshot scene =
+      test.land(12, 12, 2.0, [](double x, double) { return std::max(x - 10.0, 0.0); }).build();
+  for (const int frames : {0, 2}) {
+    const Frame frame = framesOf(scene, frames);
+    const CoverPart& cover = test::coverOf(frame);
+    const double fallen = 0.2 * frames;
+    const auto at = [&](int i, int j) { return static_cast<std::size_t>(12 * j + i); };
+    EXPECT_NEAR(cover.values[0].swe[at(2, 6)], 200.0 + fallen, 1e-3);
+    EXPECT_NEAR(cover.values[0].depth[at(2, 6)], 0.8 + fallen / 100.0, 1e-5);
+    EXPECT_NEAR(cover.values[0].swe[at(9, 6)], 0.5 * (200.0 + fallen), 1e-3 * 200.0);
+    const MassBudget& budget = frame.info.budget;
+    EXPECT_NEAR(budget.get("fallen_before"), 200.0 * 22 * 22, 1e-2 * 200.0 * 22 * 22);
+    EXPECT_NEAR(budget.get("shed"), 0.5 * (200.0 + fallen) * 12 * 22, 2e-3 * 200.0 * 22 * 22);
+    EXPECT_LT(std::abs(budget.relativeImbalance()), 1e-6);
+  }
+}
+
+TEST(Cover, OldSnowIsSheltered) {
+  TestScene test;
+  test.snowfall.oldSnowDepth = 1.0;
+  ModelNode placed;
+  placed.position = {12.0, 12.0, 0.0};
+  test.model("roof", test::modelOf(test::sheetMesh({-4, -4, 3}, {4, -4, 3}, {-4, 4, 3})), placed);
+  const Frame frame = framesOf(test.land(13, 13, 2.0, [](double, double) { return 0.0; }).build(), 0);
+  const CoverPart& cover = test::coverOf(frame);
+  EXPECT_NEAR(cover.values[0].depth[13 * 6 + 6], 0.0, 1e-6);
+  EXPECT_NEAR(cover.values[0].depth[13 * 1 + 1], 1.0, 1e-6);
+  EXPECT_LT(std::abs(frame.info.budget.relativeImbalance()), 1e-6);
+}
+
 TEST(Cover, SteepPlaneShedsByTheSmoothStep) {
   const SceneSnapshot scene =
       TestScene().land(12, 12, 2.0, [](double x, double) { return x; }).build();  // 45 degrees
