@@ -66,15 +66,22 @@ struct HeightWindow {
     return {(static_cast<T>(a - i) - u) * g.cell, (static_cast<T>(b - j) - v) * g.cell, at(a, b) - z};
   }
 
+  /// Corners of the quads that come within `reach` sideways.
+  struct Corners {
+    std::int32_t i0, i1, j0, j1;
+  };
+  SPIN_HD_INLINE Corners within(T reach) const {
+    const T m = reach / g.cell;
+    return {u < m && i > 0 ? i - 1 : i, u + m > T(1) && i + 2 < g.width ? i + 2 : i + 1,
+            v < m && j > 0 ? j - 1 : j, v + m > T(1) && j + 2 < g.height ? j + 2 : j + 1};
+  }
+
   /// Whether all corners of the quads within `reach` lie in the plane through `own` with normal `n`, up to
   /// `most`.
   SPIN_HD_INLINE bool flat(HeightVector<T> own, HeightVector<T> n, T reach, T most) const {
-    const T m = reach / g.cell;
-    const std::int32_t i0 = u < m && i > 0 ? i - 1 : i, j0 = v < m && j > 0 ? j - 1 : j;
-    const std::int32_t i1 = u + m > T(1) && i + 2 < g.width ? i + 2 : i + 1;
-    const std::int32_t j1 = v + m > T(1) && j + 2 < g.height ? j + 2 : j + 1;
-    for (std::int32_t b = j0; b <= j1; ++b)
-      for (std::int32_t a = i0; a <= i1; ++a) {
+    const Corners c = within(reach);
+    for (std::int32_t b = c.j0; b <= c.j1; ++b)
+      for (std::int32_t a = c.i0; a <= c.i1; ++a) {
         const T off = (corner(a, b) - own).dot(n);
         if (off > most || off < -most) return false;  // a hole is not counted
       }
@@ -86,10 +93,14 @@ struct HeightWindow {
                               std::size_t& quad) const {
     T best = reach * reach;
     bool found = false;
-    for (std::int32_t b = j > 0 ? j - 1 : 0; b <= j + 1 && b + 1 < g.height; ++b)
-      for (std::int32_t a = i > 0 ? i - 1 : 0; a <= i + 1 && a + 1 < g.width; ++a) {
+    const Corners c = within(reach);
+    for (std::int32_t b = c.j0; b < c.j1; ++b)
+      for (std::int32_t a = c.i0; a < c.i1; ++a) {
         const HeightVector<T> p = corner(a, b), q = corner(a + 1, b + 1);
+        // How far the diagonal that parts the quad's facets lies to the north-west of the point.
+        const T away = ((static_cast<T>(b - j) - v) - (static_cast<T>(a - i) - u)) * g.cell * T(0.70710678);
         for (int half = 0; half < 2; ++half) {
+          if ((half == 0 ? -away : away) > reach) continue;
           const HeightVector<T> r = half == 0 ? corner(a + 1, b) : corner(a, b + 1);
           const HeightVector<T> near = half == 0 ? nearestToOrigin(p, r, q) : nearestToOrigin(p, q, r);
           const T squared = near.dot(near);

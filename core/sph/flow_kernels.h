@@ -156,15 +156,22 @@ SPIN_HD_INLINE PairVector<float> metresOf(const FlowView& v, std::size_t i) {
           static_cast<float>(v.z[i]) * metres};
 }
 
+/// The stage after the sort begins with it.
+SPIN_HD_INLINE void findGround(const FlowView& v, std::size_t i) {
+  if (!v.ground) return;
+  const PairVector<float> p = metresOf(v, i);
+  v.ground[i] = v.walls.nearGround(p.x, p.y, p.z, v.constants.support);
+}
+
 /// Density from the pair sum and the walls' share, then pressure; the viscosity of what needs no shear rate.
 struct PressureKernel {
   FlowView v;
   SPIN_HD void operator()(std::size_t i) const {
     const FlowConstants& c = v.constants;
-    const PairVector<float> p = metresOf(v, i);
+    findGround(v, i);
     WallShares shares;
     bool touches = false;
-    v.walls.near(p.x, p.y, p.z, c.support, [&](const WallContact& wall) {
+    v.nearWalls(i, [&](const WallContact& wall) {
       shares.add(solidShare(wall.distance / c.support, c.layer).density);
       touches = true;
     });
@@ -232,9 +239,8 @@ struct IntegrateKernel {
   SPIN_HD float wallDensityRate(std::size_t i) const {
     const FlowConstants& c = v.constants;
     const PairRecord& r = v.record[i];
-    const PairVector<float> p = metresOf(v, i);
     float rate = 0.0f;
-    v.walls.near(p.x, p.y, p.z, c.support, [&](const WallContact& w) {
+    v.nearWalls(i, [&](const WallContact& w) {
       const float leaving = (r.vx - w.vx) * w.nx + (r.vy - w.vy) * w.ny + (r.vz - w.vz) * w.nz;
       rate -=
           wallDilation(w.distance / c.support, maximum(w.distance, kLeastWallDistance * c.spacing)) * leaving;

@@ -77,42 +77,37 @@ SPIN_HD_INLINE void correctGradient(const float* m, float* g) {
 /// Adds what walls contribute to particle i's gradient sums, which are scaled already.
 SPIN_HD_INLINE void addWallGradients(const FlowView& v, std::size_t i, GradientSums<float>& sums) {
   const FlowConstants& c = v.constants;
-  const float metres = 1.0f / c.unitsPerMetre;
-  v.walls.near(static_cast<float>(v.x[i]) * metres, static_cast<float>(v.y[i]) * metres,
-               static_cast<float>(v.z[i]) * metres, c.support,
-               [&](const WallContact& wall) SPIN_INLINE_LAMBDA {
-                 const PairRecord& r = v.record[i];
-                 const float distance = maximum(wall.distance, kLeastWallDistance * c.spacing);
-                 addWallGradient(wall, wall.distance / c.support, distance,
-                                 {r.vx - wall.vx, r.vy - wall.vy, r.vz - wall.vz},
-                                 v.walls.surface[wall.surface].friction == WallFriction::NoSlip, sums);
-               });
+  v.nearWalls(i, [&](const WallContact& wall) SPIN_INLINE_LAMBDA {
+    const PairRecord& r = v.record[i];
+    const float distance = maximum(wall.distance, kLeastWallDistance * c.spacing);
+    addWallGradient(wall, wall.distance / c.support, distance,
+                    {r.vx - wall.vx, r.vy - wall.vy, r.vz - wall.vz},
+                    v.walls.surface[wall.surface].friction == WallFriction::NoSlip, sums);
+  });
 }
 
 /// Brings the gradient from where its sums have it to the particle, and gives the shear rate at the nearest
 /// no-slip wall; -1 without one.
 SPIN_HD_INLINE float correctAtWalls(const FlowView& v, std::size_t i, float* g) {
   const FlowConstants& c = v.constants;
-  const float metres = 1.0f / c.unitsPerMetre;
   const PairRecord& r = v.record[i];
   float change[9] = {}, nearest = c.support, shearAtWall = -1.0f;
-  v.walls.near(static_cast<float>(v.x[i]) * metres, static_cast<float>(v.y[i]) * metres,
-               static_cast<float>(v.z[i]) * metres, c.support, [&](const WallContact& w) SPIN_INLINE_LAMBDA {
-                 if (v.walls.surface[w.surface].friction != WallFriction::NoSlip) return;
-                 const float distance = maximum(w.distance, kLeastWallDistance * c.spacing);
-                 const PairVector<float> slope{g[0] * w.nx + g[1] * w.ny + g[2] * w.nz,
-                                               g[3] * w.nx + g[4] * w.ny + g[5] * w.nz,
-                                               g[6] * w.nx + g[7] * w.ny + g[8] * w.nz};
-                 const WallSlopes at =
-                     slopesAtWall(w, distance, c.support, {r.vx - w.vx, r.vy - w.vy, r.vz - w.vz}, slope);
-                 const float n[3] = {w.nx, w.ny, w.nz};
-                 for (int b = 0; b < 3; ++b) {
-                   change[b] += at.change.x * n[b];
-                   change[3 + b] += at.change.y * n[b];
-                   change[6 + b] += at.change.z * n[b];
-                 }
-                 if (w.distance < nearest) nearest = w.distance, shearAtWall = at.shearAtWall;
-               });
+  v.nearWalls(i, [&](const WallContact& w) SPIN_INLINE_LAMBDA {
+    if (v.walls.surface[w.surface].friction != WallFriction::NoSlip) return;
+    const float distance = maximum(w.distance, kLeastWallDistance * c.spacing);
+    const PairVector<float> slope{g[0] * w.nx + g[1] * w.ny + g[2] * w.nz,
+                                  g[3] * w.nx + g[4] * w.ny + g[5] * w.nz,
+                                  g[6] * w.nx + g[7] * w.ny + g[8] * w.nz};
+    const WallSlopes at =
+        slopesAtWall(w, distance, c.support, {r.vx - w.vx, r.vy - w.vy, r.vz - w.vz}, slope);
+    const float n[3] = {w.nx, w.ny, w.nz};
+    for (int b = 0; b < 3; ++b) {
+      change[b] += at.change.x * n[b];
+      change[3 + b] += at.change.y * n[b];
+      change[6 + b] += at.change.z * n[b];
+    }
+    if (w.distance < nearest) nearest = w.distance, shearAtWall = at.shearAtWall;
+  });
   for (int k = 0; k < 9; ++k) g[k] += change[k];
   return shearAtWall;
 }
@@ -185,6 +180,12 @@ struct DensityRate {
   }
 };
 
+/// By continuity a particle that flies alone would keep the density that it had when it left the others, and
+/// bounce like a spring wherever it meets a solid. Where others fill less than kAlone of its surroundings it
+/// is let go at the rate at which sound crosses the support; from kCompany on (two or three neighbours) not
+/// at all.
+inline constexpr float kAlone = 0.1f, kCompany = 0.25f;
+
 /// Pressure and pairwise viscosity, and with Smooth the velocity change of XSPH (Monaghan 1989):
 /// c sum m_j / rho_mean (v_j - v_i) W; with Continuity the rate of the density.
 template <class Lanes, bool Smooth, bool Continuity>
@@ -193,6 +194,7 @@ struct ForcePass : OwnVelocity<Lanes> {
   PairVector<T> force{T(0.0f), T(0.0f), T(0.0f)}, change{T(0.0f), T(0.0f), T(0.0f)};
   T pressure, viscosity, density, drag, excess = T(0.0f);
   DensityRate<T> rate;
+  T around = T(0.0f);  ///< sum of W, its own among them
 
   SPIN_HD_INLINE ForcePass(const FlowView& v, const Lanes& own)
       : OwnVelocity<Lanes>(v, own),
@@ -209,6 +211,7 @@ struct ForcePass : OwnVelocity<Lanes> {
     if constexpr (Continuity) {
       const FlowConstants& c = v.constants;
       rate.add(offset, slope, relative, T(v.excess[j]) - excess, {T(c.restX), T(c.restY), T(c.restZ)});
+      around = around + CubicSpline::shape(q);
     }
     addPairForce(offset, slope, pressure + T(r.pressureTerm), drag * (viscosity + T(r.viscosity)), relative,
                  force);
@@ -224,11 +227,16 @@ struct ForcePass : OwnVelocity<Lanes> {
     own.store(scale * force.x, v.ax);
     own.store(scale * force.y, v.ay);
     own.store(scale * force.z, v.az);
-    if constexpr (Continuity)
-      own.store(
-          T(v.constants.gradientFactor) * rate.sum +
-              T(v.constants.diffusionFactor + v.constants.soundFactor * v.constants.timeStep) * rate.spread,
-          v.rate);
+    if constexpr (Continuity) {
+      const FlowConstants& c = v.constants;
+      const T others = T(c.densityFactor) * (around - T(1.0f));
+      const T alone =
+          minimum(maximum(T(1.0f / (kCompany - kAlone)) * (T(kCompany) - others), T(0.0f)), T(1.0f));
+      own.store(T(c.gradientFactor) * rate.sum +
+                    T(c.diffusionFactor + c.soundFactor * c.timeStep) * rate.spread -
+                    T(c.aloneRate) * alone * excess,
+                v.rate);
+    }
     if constexpr (Smooth) {
       const T smooth = T(2.0f * v.constants.smoothFactor);
       own.store(smooth * change.x, v.sx);

@@ -155,6 +155,7 @@ FlowConstants flowConstants(const FlowConfig& c) {
   double sound = c.materials[0].soundSpeed;
   for (const FlowMaterialConfig& m : c.materials) sound = std::min(sound, m.soundSpeed);
   k.diffusionFactor = static_cast<float>(c.diffusion * h * sound * volume / (h * h * h * h * h));
+  k.aloneRate = static_cast<float>(sound / h);
   double fastest = sound;
   for (const FlowMaterialConfig& m : c.materials) fastest = std::max(fastest, m.soundSpeed);
   k.soundFactor = static_cast<float>(2.0 * fastest * fastest * volume / (h * h * h * h * h));

@@ -149,9 +149,9 @@ class FlowSolverOn final : public FlowSolver {
               m_otherExcess, m_rate, m_ax, m_ay, m_az) +
            of(m_sx, m_sy, m_sz, m_shear, m_id, m_otherId, m_key, m_otherKey, m_order, m_rows, m_rowBins,
               m_binStart) +
-           of(m_ground, m_groundSurfaces, m_stress, m_bodyRate, m_wallViscosity) + m_sampler.bytes() +
-           m_meshes.bytes() + m_bodies.bytes() + m_pressure.bytes() + m_viscosity.bytes() +
-           m_backend.scratchBytes();
+           of(m_ground, m_groundSurfaces, m_contact, m_stress, m_bodyRate, m_wallViscosity) +
+           m_sampler.bytes() + m_meshes.bytes() + m_bodies.bytes() + m_pressure.bytes() +
+           m_viscosity.bytes() + m_backend.scratchBytes();
   }
 
  private:
@@ -239,6 +239,7 @@ class FlowSolverOn final : public FlowSolver {
     if (m_config.pressure == PressureMode::Implicit) m_pressure.allocate(padded);
     if (implicitPressure() && m_bodies.any()) m_bodyRate.resize(padded);
     if (mayNeedImplicitViscosity(m_config)) m_viscosity.allocate(padded);
+    if (!m_config.walls.ground.empty()) m_contact.resize(padded);
     m_otherExtra.resize(padded);
     m_otherId.resize(padded);
     m_otherKey.resize(padded);
@@ -272,6 +273,7 @@ class FlowSolverOn final : public FlowSolver {
     m_view.rows = m_rows.data();
     m_view.binStart = m_binStart.data();
     if (m_config.walls.ground.empty()) return;
+    m_view.ground = m_contact.data();
     m_view.walls.ground.heights = m_ground.data();
     m_view.walls.ground.surfaces = m_config.walls.groundSurfaces.empty() ? nullptr : m_groundSurfaces.data();
   }
@@ -554,6 +556,7 @@ class FlowSolverOn final : public FlowSolver {
   Array<float> m_excess, m_otherExcess, m_rate, m_ax, m_ay, m_az, m_sx, m_sy, m_sz, m_shear, m_wallViscosity,
       m_ground;
   Array<std::uint8_t> m_groundSurfaces;
+  Array<GroundContact> m_contact;
   MeshWalls<Backend> m_meshes;
   FlowBodies<Backend> m_bodies;
   Array<float> m_bodyRate;

@@ -113,6 +113,7 @@ struct FlowConstants {
   float pairDrag = 1;                              ///< share of the viscosity that acts in the force pass
   float diffusionFactor = 0;                       ///< 2 delta (h/2) c V0 norm / h^5
   float soundFactor = 0;                           ///< 2 c^2 V0 norm / h^5, times the step: see DensityRate
+  float aloneRate = 0;                             ///< of what a particle without others forgets, 1/s
   float smoothFactor = 0;                          ///< XSPH's c V0 norm / h^3; 0 = off
   float support = 1;                               ///< h, m
   float spacing = 1;                               ///< m
@@ -154,6 +155,16 @@ struct FlowView {
   StressRecord* stress = nullptr;       ///< null = viscosity is pairwise
   PressureSolveView pressureSolve;
   ViscousSolveView viscousSolve;
+  GroundContact* ground = nullptr;  ///< found once a step, since every stage asks for it; null without ground
+
+  /// Calls visit(WallContact) for every solid within the support of particle i.
+  template <class Visit>
+  SPIN_HD_INLINE void nearWalls(std::size_t i, const Visit& visit) const {
+    const float metres = 1.0f / constants.unitsPerMetre;
+    walls.near(static_cast<float>(x[i]) * metres, static_cast<float>(y[i]) * metres,
+               static_cast<float>(z[i]) * metres, constants.support, ground ? ground[i] : GroundContact{},
+               visit);
+  }
 };
 
 }  // namespace spin

@@ -40,6 +40,7 @@ struct ConstraintKernel {
   FlowView v;
   SPIN_HD void operator()(std::size_t i) const {
     const FlowConstants& c = v.constants;
+    findGround(v, i);
     PairRecord& r = v.record[i];
     float open = 1.0f;
     PairVector<float> walls{0.0f, 0.0f, 0.0f};

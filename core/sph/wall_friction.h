@@ -73,14 +73,10 @@ SPIN_HD_INLINE void rubAlong(const FlowView& v, std::size_t i, const WallContact
 template <class Visit>
 SPIN_HD_INLINE void forWallSlopes(const FlowView& v, std::size_t i, const Visit& visit) {
   const FlowConstants& c = v.constants;
-  const float metres = 1.0f / c.unitsPerMetre;
-  const float x = static_cast<float>(v.x[i]) * metres, y = static_cast<float>(v.y[i]) * metres,
-              z = static_cast<float>(v.z[i]) * metres;
   WallShares shares;
-  v.walls.near(x, y, z, c.support, [&](const WallContact& w) SPIN_INLINE_LAMBDA {
-    shares.add(solidShare(w.distance / c.support, c.layer).density);
-  });
-  v.walls.near(x, y, z, c.support, [&](const WallContact& w) SPIN_INLINE_LAMBDA {
+  v.nearWalls(i, [&](const WallContact& w)
+                     SPIN_INLINE_LAMBDA { shares.add(solidShare(w.distance / c.support, c.layer).density); });
+  v.nearWalls(i, [&](const WallContact& w) SPIN_INLINE_LAMBDA {
     const SolidShare share = solidShare(w.distance / c.support, c.layer);
     visit(w, shares.weight(share.density) * share.slope / c.support);
   });

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -40,6 +41,13 @@ struct WallHeights {
   float originX = 0, originY = 0, cell = 1;
 };
 
+/// Where the ground is nearest to a point.
+struct GroundContact {
+  float distance = INFINITY;  ///< m, below 0 under the ground; infinite where it is out of reach
+  float nx = 0, ny = 0, nz = 1;
+  std::uint32_t surface = 0;
+};
+
 /// A static mesh by its signed distance.
 struct WallMesh {
   SignedDistanceView field;
@@ -63,27 +71,34 @@ struct WallView {
   std::int32_t meshCount = 0;
   WallSurface surface[kMostSurfaces];
 
-  /// Calls visit(WallContact) for every solid nearer than `reach`, m.
+  SPIN_HD_INLINE GroundContact nearGround(float x, float y, float z, float reach) const {
+    HeightContact<float> near;
+    if (!ground.heights || !nearestGround(ground, x, y, z, reach, near)) return {};
+    const std::uint8_t kind = ground.surfaces ? ground.surfaces[near.quad] : std::uint8_t{0};
+    return {near.distance, near.normal.x, near.normal.y, near.normal.z, kind};
+  }
+
+  /// Calls visit(WallContact) for every solid nearer than `reach`, m; `under` is what nearGround() gives
+  /// there.
   template <class Visit>
-  SPIN_HD_INLINE void near(float x, float y, float z, float reach, const Visit& visit) const {
+  SPIN_HD_INLINE void near(float x, float y, float z, float reach, const GroundContact& under,
+                           const Visit& visit) const {
     for (std::int32_t k = 0; k < planeCount; ++k) {
       const WallPlane& p = planes[k];
       const float distance = p.nx * x + p.ny * y + p.nz * z - p.offset;
       if (distance < reach) visit(WallContact{distance, p.nx, p.ny, p.nz, p.vx, p.vy, p.vz, p.surface});
     }
-    if (ground.heights) nearGround(x, y, z, reach, visit);
+    if (under.distance < reach)
+      visit(WallContact{under.distance, under.nx, under.ny, under.nz, 0.0f, 0.0f, 0.0f,
+                        static_cast<std::uint8_t>(under.surface)});
     for (std::int32_t k = 0; k < meshCount; ++k) nearMesh(meshes[k], x, y, z, reach, visit);
+  }
+  template <class Visit>
+  SPIN_HD_INLINE void near(float x, float y, float z, float reach, const Visit& visit) const {
+    near(x, y, z, reach, nearGround(x, y, z, reach), visit);
   }
 
  private:
-  template <class Visit>
-  SPIN_HD_INLINE void nearGround(float x, float y, float z, float reach, const Visit& visit) const {
-    HeightContact<float> near;
-    if (!nearestGround(ground, x, y, z, reach, near)) return;
-    const std::uint8_t kind = ground.surfaces ? ground.surfaces[near.quad] : std::uint8_t{0};
-    visit(WallContact{near.distance, near.normal.x, near.normal.y, near.normal.z, 0.0f, 0.0f, 0.0f, kind});
-  }
-
   template <class Visit>
   SPIN_HD_INLINE static void nearMesh(const WallMesh& mesh, float x, float y, float z, float reach,
                                       const Visit& visit) {

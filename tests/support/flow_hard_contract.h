@@ -224,6 +224,32 @@ TYPED_TEST_P(FlowHard, AFilmOneParticleThickSlides) {
   }
 }
 
+TYPED_TEST_P(FlowHard, WhatFliesAloneForgetsItsPressureAndComesToRest) {
+  // Crumbs that a collision threw out while they were compressed: with that for ever, they would be springs.
+  FlowConfig c = testing::boxConfig(64, 64, 120);
+  c.density = DensityMode::Continuity;
+  std::vector<FlowParticle> crumbs(9);
+  for (std::size_t k = 0; k < crumbs.size(); ++k) {
+    crumbs[k].position = {0.5 + 1.0 * static_cast<double>(k % 3), 0.5 + 1.0 * static_cast<double>(k / 3),
+                          0.5};
+    crumbs[k].velocity = {0.0, 0.0, -1.0};
+    crumbs[k].excess = 0.5;
+  }
+  const Solver solver = this->start(c, crumbs);
+  double high = 0.0;
+  for (int k = 0; k < 50; ++k) {
+    this->runFor(*solver, 0.05);
+    for (const FlowSample& s : solver->samples()) high = std::max(high, s.particle.position.z);
+  }
+  EXPECT_EQ(solver->count(), crumbs.size());
+  EXPECT_LT(high, 0.5);
+  EXPECT_LT(fastestOf(solver->samples()), 0.02);
+  for (const FlowSample& s : solver->samples()) {
+    EXPECT_LT(s.particle.position.z, c.spacing);
+    EXPECT_NEAR(s.density, 1000.0, 10.0);
+  }
+}
+
 TYPED_TEST_P(FlowHard, ParticlesAtTheSamePlaceStayFinite) {
   FlowConfig c = testing::boxConfig(12, 12, 24);
   c.materials[0].rheology.viscosity = 1.0f;
@@ -406,9 +432,9 @@ TYPED_TEST_P(FlowHard, SloshingGainsNoEnergy) {
 
 REGISTER_TYPED_TEST_SUITE_P(FlowHard, CrossFluidsRunDownASteepSlope, BinghamBelowItsYieldStressStays,
                             AHundredMetresOfWaterRest, WaterFallsEightyMetresOntoAStep,
-                            AFilmOneParticleThickSlides, ParticlesAtTheSamePlaceStayFinite,
-                            WhatIsFilledIntoTheGroundIsNotThere, AStepTenTimesTooLargeShrinks,
-                            SpacingsFromACentimetreToTwoMetresGiveTheSameFlow, EightyMetresASecondIntoAWall,
-                            ABrokenParticleIsNamed, SloshingGainsNoEnergy);
+                            AFilmOneParticleThickSlides, WhatFliesAloneForgetsItsPressureAndComesToRest,
+                            ParticlesAtTheSamePlaceStayFinite, WhatIsFilledIntoTheGroundIsNotThere,
+                            AStepTenTimesTooLargeShrinks, SpacingsFromACentimetreToTwoMetresGiveTheSameFlow,
+                            EightyMetresASecondIntoAWall, ABrokenParticleIsNamed, SloshingGainsNoEnergy);
 
 }  // namespace spin::contract
