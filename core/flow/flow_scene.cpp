@@ -97,7 +97,8 @@ class SceneBuilder {
   }
 
   static bool sameMaterial(const FlowMaterialConfig& a, const FlowMaterialConfig& b) {
-    return a.restDensity == b.restDensity && a.rheology == b.rheology;
+    return a.restDensity == b.restDensity && a.tensileStrength == b.tensileStrength &&
+           a.rheology == b.rheology;
   }
 
   void addRelease(const SceneNode& node) {

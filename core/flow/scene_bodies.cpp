@@ -68,6 +68,11 @@ Quaternion quaternionOf(const std::array<double, 9>& m) {
   return normalized(q);
 }
 
+/// Of the two quaternions of a rotation that with the angle up to half a turn.
+Quaternion shorter(const Quaternion& q) {
+  return q.w < 0.0 ? Quaternion{-q.w, -q.x, -q.y, -q.z} : q;
+}
+
 void addBody(const RigidBodyNode& body, const std::string& node, const TriangleMesh& mesh,
              const Transform& placement, FlowScene& flow) {
   const auto shape = makeRigidShape(mesh);
@@ -127,7 +132,7 @@ std::vector<RigidState> followKeys(const SceneSnapshot& scene, const std::vector
       const Transform begin = scene.modelTransform(*node, from) * back;
       const Transform end = scene.modelTransform(*node, to) * back;
       const Quaternion turned = quaternionOf(begin.linear),
-                       turn = quaternionOf(end.linear) * turned.conjugate();
+                       turn = shorter(quaternionOf(end.linear) * turned.conjugate());
       const double sine = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
       const double angle = 2.0 * std::atan2(sine, turn.w), seconds = to - from;
       RigidState& s = states[k];

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "core/base/units.h"
 #include "core/flow/flow_estimate.h"
 #include "core/flow/flow_materials.h"
 #include "core/flow/flow_reach.h"
 #include "core/flow/flow_scene.h"
 #include "core/flow/inflow.h"
+#include "core/flow/scene_bodies.h"
 #include "core/sph/flow_setup.h"
 #include "tests/core/flow/flow_test_scene.h"
 
@@ -66,6 +68,45 @@ TEST(FlowMaterials, CustomTakesWhatItsLawNeeds) {
   EXPECT_NEAR(customFlowMaterial(node).rheology.frictionTangent, 0.4663f, 1e-4f);
   node.law = FlowLaw::Cross;
   EXPECT_EQ(customFlowMaterial(node).rheology.law, RheologyLaw::Cross);
+}
+
+TEST(FlowMaterials, ThoseThatDifferInStrengthAloneAreTwo) {
+  FlowTestScene scene;
+  FlowMaterialNode weak, strong;
+  strong.tensileStrength = 500.0;
+  AvalancheReleaseNode left = test::squareRelease(2.0, 4.0, 0.5), right = test::squareRelease(5.0, 7.0, 0.5);
+  left.material = right.material = FlowMaterialKind::Custom;
+  left.customMaterial = "weak", right.customMaterial = "strong";
+  test::slopeScene(scene).add(kFlowMaterialType, "weak", weak).add(kFlowMaterialType, "strong", strong);
+  scene.add(kAvalancheReleaseType, "left", left).add(kAvalancheReleaseType, "right", right);
+  const FlowScene flow = flowOf(scene);
+  ASSERT_EQ(flow.config.materials.size(), 2u) << issuesOf(flow, true);
+  EXPECT_EQ(flow.config.materials[flow.releases[0].material].tensileStrength, 0.0);
+  EXPECT_EQ(flow.config.materials[flow.releases[1].material].tensileStrength, 500.0);
+}
+
+TEST(FlowBodies, KeysTurnThemTheShorterWay) {
+  for (const double sign : {1.0, -1.0})
+    for (int axis = 0; axis < 3; ++axis) {
+      FlowTestScene scene;
+      test::slopeScene(scene);
+      test::addCube(scene, "wheel", 0.5f, {5.0, 5.0, 2.0}, RigidMotion::Kinematic);
+      SceneSnapshot snapshot = scene.build();
+      const Vec3d about = Vec3d{axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0} * sign;
+      for (SceneNode& node : snapshot.nodes) {
+        if (node.id != "wheel") continue;
+        node.curves["rotation_deg"].setKey({0.0, Vec3d{}, Interpolation::Linear});
+        node.curves["rotation_deg"].setKey({2.0, about * 720.0, Interpolation::Linear});
+      }
+      const FlowScene flow = makeFlowScene(snapshot, 0.0);
+      ASSERT_EQ(flow.bodies.size(), 1u) << issuesOf(flow, true);
+      for (int k = 0; k < 20; ++k) {
+        const auto states =
+            followKeys(snapshot, flow.bodies, std::vector<RigidState>(1), 0.1 * k, 0.1 * k + 0.1);
+        EXPECT_LT(length(states[0].angularVelocity - about * (2.0 * kPi)), 1e-6)
+            << axis << " " << sign << " " << k;
+      }
+    }
 }
 
 TEST(FlowReach, GoesDownAndAsFarUpAsTheEnergyAllows) {
