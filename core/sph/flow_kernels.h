@@ -287,21 +287,25 @@ struct IntegrateKernel {
     }
     return velocity;
   }
+  /// The wind's drag, implicit in the velocity: no step is so long that it overshoots the wind.
+  SPIN_HD_INLINE void addWind(const PairRecord& r, PairVector<float>& velocity) const {
+    const FlowConstants& c = v.constants;
+    if (!(c.windDrag > 0.0f)) return;
+    const PairVector<float> u{c.windX - r.vx, c.windY - r.vy, c.windZ - r.vz};
+    const float pull = kick * c.windDrag * squareRoot(u.x * u.x + u.y * u.y + u.z * u.z);
+    const float share = pull / (1.0f + pull);
+    velocity.x += share * u.x;
+    velocity.y += share * u.y;
+    velocity.z += share * u.z;
+  }
   /// The velocity after the step: gravity, wind and walls on top of that.
   SPIN_HD_INLINE PairVector<float> newVelocity(std::size_t i) const {
     const FlowConstants& c = v.constants;
-    const PairRecord& r = v.record[i];
     PairVector<float> velocity = innerVelocity(i);
     velocity.x += kick * c.gravityX;
     velocity.y += kick * c.gravityY;
     velocity.z += kick * c.gravityZ;
-    if (c.windDrag > 0.0f) {
-      const PairVector<float> u{c.windX - r.vx, c.windY - r.vy, c.windZ - r.vz};
-      const float pull = kick * c.windDrag * squareRoot(u.x * u.x + u.y * u.y + u.z * u.z);
-      velocity.x += pull * u.x;
-      velocity.y += pull * u.y;
-      velocity.z += pull * u.z;
-    }
+    addWind(v.record[i], velocity);
     if (v.extra[i].flags & kNearWall) actWalls(i, velocity);
     return velocity;
   }

@@ -149,13 +149,7 @@ struct PredictKernel {
     const float wallRate = v.rate && near ? step.wallDensityRate(i) : 0.0f;
     PairVector<float> velocity{r.vx + kick * (v.ax[i] + c.gravityX), r.vy + kick * (v.ay[i] + c.gravityY),
                                r.vz + kick * (v.az[i] + c.gravityZ)};
-    if (c.windDrag > 0.0f) {
-      const PairVector<float> u{c.windX - r.vx, c.windY - r.vy, c.windZ - r.vz};
-      const float pull = kick * c.windDrag * squareRoot(u.x * u.x + u.y * u.y + u.z * u.z);
-      velocity.x += pull * u.x;
-      velocity.y += pull * u.y;
-      velocity.z += pull * u.z;
-    }
+    step.addWind(r, velocity);
     if (v.sx) {
       velocity.x += v.sx[i];
       velocity.y += v.sy[i];

@@ -26,7 +26,8 @@ class ImplicitPressure {
 
   void point(const FlowConfig& config, FlowView& view) {
     PressureSolveView& s = view.pressureSolve;
-    s.pressure = m_pressure.data();
+    // Walls and bodies ask by the pointer whether the pressure is solved for; it may have been before.
+    s.pressure = config.pressure == PressureMode::Implicit ? m_pressure.data() : nullptr;
     s.push = m_push.data();
     s.latest = m_latest.data();
     s.compliance = m_compliance.data();

@@ -142,6 +142,40 @@ TYPED_TEST_P(FlowStateContract, ReconfiguringKeepsParticlesAndRefusesAnotherLayo
   EXPECT_TRUE(sameBits(solver->state(), before));
 }
 
+TYPED_TEST_P(FlowStateContract, AfterAnotherFormOfPressureItGoesOnAsIfItHadNeverHadIt) {
+  FlowConfig c = this->config(), other = c;
+  c.leapFrog = other.leapFrog = false;
+  c.pressure = PressureMode::Implicit;
+  c.walls.planes[0].point.z = other.walls.planes[0].point.z = 5 * c.spacing;
+  const Solver changed = this->start(c, this->block(c)), fresh = this->start(other, {});
+  this->run(*changed, 2e-4, 12);
+  ASSERT_TRUE(fresh->restore(changed->state()).ok());
+  ASSERT_TRUE(changed->reconfigure(other).ok());
+  for (Solver const* solver : {&changed, &fresh}) this->run(**solver, 2e-4, 5);
+  EXPECT_TRUE(sameBits(changed->state(), fresh->state()));
+}
+
+TYPED_TEST_P(FlowStateContract, NoStepIsSoLongThatWindIsOvershot) {
+  for (const PressureMode pressure : {PressureMode::EquationOfState, PressureMode::Implicit}) {
+    FlowConfig c = testing::freeConfig(24, 24, 24);
+    c.pressure = pressure;
+    c.windDrag = 1000.0;
+    c.wind = {60, 0, 0};
+    const double s = c.spacing;
+    const Solver solver = this->start(c, testing::lattice(c, 1, 1, 1, 0.0, {12 * s, 12 * s, 12 * s}));
+    double before = 0.0;
+    for (int step = 0; step < 4; ++step) {
+      this->run(*solver, 5e-4, 1);
+      ASSERT_EQ(solver->samples().size(), 1u);
+      const double speed = solver->samples()[0].particle.velocity.x;
+      EXPECT_GE(speed, before);
+      EXPECT_LE(speed, 60.0 * (1.0 + 1e-6));
+      before = speed;
+    }
+    EXPECT_GT(before, 55.0);
+  }
+}
+
 TYPED_TEST_P(FlowStateContract, ASampledStepTellsNeighboursAndTheWholeAcceleration) {
   FlowConfig c = testing::freeConfig(12, 12, 12);
   c.materials[0].rheology.viscosity = 0.0f;
@@ -184,11 +218,10 @@ TYPED_TEST_P(FlowStateContract, TurbulentGroundHoldsWithTheSquareOfTheSpeed) {
   EXPECT_NEAR((4.0 - speed) / (4.0 - expected), 1.0, 0.02);
 }
 
-REGISTER_TYPED_TEST_SUITE_P(FlowStateContract, GoesOnFromAStateBitForBit,
-                            AStateThatDoesNotFitIsRefusedAndChangesNothing,
-                            SinksAndTheDomainCountWhatTheyTake,
-                            ReconfiguringKeepsParticlesAndRefusesAnotherLayout,
-                            ASampledStepTellsNeighboursAndTheWholeAcceleration,
-                            TurbulentGroundHoldsWithTheSquareOfTheSpeed);
+REGISTER_TYPED_TEST_SUITE_P(
+    FlowStateContract, GoesOnFromAStateBitForBit, AStateThatDoesNotFitIsRefusedAndChangesNothing,
+    SinksAndTheDomainCountWhatTheyTake, ReconfiguringKeepsParticlesAndRefusesAnotherLayout,
+    AfterAnotherFormOfPressureItGoesOnAsIfItHadNeverHadIt, NoStepIsSoLongThatWindIsOvershot,
+    ASampledStepTellsNeighboursAndTheWholeAcceleration, TurbulentGroundHoldsWithTheSquareOfTheSpeed);
 
 }  // namespace spin::contract
