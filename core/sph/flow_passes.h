@@ -163,7 +163,8 @@ struct ShearPass : OwnVelocity<Lanes> {
 
 /// What changes a particle's density by continuity, without factors: sum V_j (v_i - v_j) . grad W, and the
 /// diffusion of Molteni and Colagrossi 2009 in the form of Fourtakas et al. 2019: what is left of a pair's
-/// difference in density after that of fluid at rest. `atRest` is the gravity over c^2, per support.
+/// `difference` in pressure over c^2 after that of fluid at rest of the pair's mean density. `atRest` is the
+/// gravity over c^2, per support. Pressure, for the excess jumps where materials of two densities meet.
 /// The divergence is that of the velocities before the step, which would let sound grow by (omega dt)^2 / 2 a
 /// step: what the step's pressure changes it by, dt c^2 times the Laplacian of the same difference, is added
 /// to the diffusion, and density and velocity follow each other as in the symplectic Euler scheme.
@@ -172,11 +173,11 @@ struct DensityRate {
   T sum = T(0.0f), spread = T(0.0f);
 
   SPIN_HD_INLINE void add(const PairVector<T>& offset, T slope, const PairVector<T>& relative, T difference,
-                          const PairVector<T>& atRest) {
+                          T meanDensity, const PairVector<T>& atRest) {
     const T approach = mulAdd(relative.z, offset.z, mulAdd(relative.y, offset.y, relative.x * offset.x));
     const T still = mulAdd(atRest.z, offset.z, mulAdd(atRest.y, offset.y, atRest.x * offset.x));
     sum = sum - slope * approach;
-    spread = spread - slope * (difference - still);
+    spread = spread - slope * (difference - meanDensity * still);
   }
 };
 
@@ -192,7 +193,8 @@ template <class Lanes, bool Smooth, bool Continuity>
 struct ForcePass : OwnVelocity<Lanes> {
   using T = typename Lanes::Real;
   PairVector<T> force{T(0.0f), T(0.0f), T(0.0f)}, change{T(0.0f), T(0.0f), T(0.0f)};
-  T pressure, viscosity, density, drag, excess = T(0.0f);
+  T pressure, viscosity, density, drag;
+  T surplus = T(0.0f);  ///< excess times the density at rest, kg/m3
   DensityRate<T> rate;
   T around = T(0.0f);  ///< sum of W, its own among them
 
@@ -202,7 +204,7 @@ struct ForcePass : OwnVelocity<Lanes> {
         viscosity(own.load(v.record, &PairRecord::viscosity)),
         density(own.load(v.record, &PairRecord::restDensity)),
         drag(T(v.constants.pairDrag * v.constants.viscousFactor / v.constants.gradientFactor)) {
-    if constexpr (Continuity) excess = own.load(v.excess);
+    if constexpr (Continuity) surplus = own.load(v.excess) * density;
   }
   SPIN_HD_INLINE void add(const FlowView& v, const PairVector<T>& offset, std::uint32_t j) {
     const PairRecord& r = v.record[j];
@@ -210,7 +212,8 @@ struct ForcePass : OwnVelocity<Lanes> {
     const T q = distanceOf(offset), slope = CubicSpline::slopeOverQ(q);
     if constexpr (Continuity) {
       const FlowConstants& c = v.constants;
-      rate.add(offset, slope, relative, T(v.excess[j]) - excess, {T(c.restX), T(c.restY), T(c.restZ)});
+      rate.add(offset, slope, relative, T(v.excess[j] * r.restDensity) - surplus,
+               T(0.5f) * (density + T(r.restDensity)), {T(c.restX), T(c.restY), T(c.restZ)});
       around = around + CubicSpline::shape(q);
     }
     addPairForce(offset, slope, pressure + T(r.pressureTerm), drag * (viscosity + T(r.viscosity)), relative,
@@ -232,9 +235,8 @@ struct ForcePass : OwnVelocity<Lanes> {
       const T others = T(c.densityFactor) * (around - T(1.0f));
       const T alone =
           minimum(maximum(T(1.0f / (kCompany - kAlone)) * (T(kCompany) - others), T(0.0f)), T(1.0f));
-      own.store(T(c.gradientFactor) * rate.sum +
-                    T(c.diffusionFactor + c.soundFactor * c.timeStep) * rate.spread -
-                    T(c.aloneRate) * alone * excess,
+      const T spread = T(c.diffusionFactor + c.soundFactor * c.timeStep) * rate.spread;
+      own.store(T(c.gradientFactor) * rate.sum + (spread - T(c.aloneRate) * alone * surplus) / density,
                 v.rate);
     }
     if constexpr (Smooth) {

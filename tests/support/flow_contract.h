@@ -177,6 +177,39 @@ TYPED_TEST_P(FlowContract, DensityByContinuityIsTheDivergence) {
   }
 }
 
+TYPED_TEST_P(FlowContract, DensityByContinuityLeavesLayersOfTwoMaterialsAlone) {
+  // The pressure has no step where they meet, so the excess has one: it must not spread.
+  constexpr int kAcross = 8, kLayers = 10;
+  constexpr double kLight = 300.0;
+  FlowConfig c = testing::boxConfig(kAcross, kAcross, 4 * kLayers);
+  c.density = DensityMode::Continuity;
+  c.materials.resize(2, c.materials[0]);
+  for (FlowMaterialConfig& m : c.materials) m.soundSpeed = 30.0, m.rheology.viscosity = 1.0f;
+  c.materials[1].restDensity = kLight;
+  c.walls.surfaces = {{WallFriction::FreeSlip}};
+  auto particles = testing::lattice(c, kAcross, kAcross, 2 * kLayers);
+  const double g = 9.80665, middle = kLayers * c.spacing;
+  for (FlowParticle& p : particles) {
+    const double z = p.position.z;
+    p.material = z < middle ? 0 : 1;
+    const double weight = g * (z < middle ? kLight * middle + c.materials[0].restDensity * (middle - z)
+                                          : kLight * (2.0 * middle - z));
+    p.excess = weight / (c.materials[p.material].restDensity * 30.0 * 30.0);
+  }
+  const Solver solver = this->start(c, particles);
+  this->runFor(*solver, 1.0);
+  double height[2] = {}, pressure[2] = {};
+  for (const FlowSample& s : solver->samples())
+    for (const int side : {0, 1})
+      if (static_cast<int>(s.particle.id) / (kAcross * kAcross) == kLayers - 1 + side) {
+        height[side] += s.particle.position.z / (kAcross * kAcross);
+        pressure[side] += s.pressure / (kAcross * kAcross);
+      }
+  EXPECT_NEAR((height[1] - height[0]) / c.spacing, 1.0, 0.08);
+  EXPECT_NEAR(pressure[0], kLight * g * middle, 0.5 * kLight * g * middle);
+  EXPECT_NEAR(pressure[1], pressure[0], 0.3 * pressure[0]);
+}
+
 TYPED_TEST_P(FlowContract, ChannelFlowsHaveTheirProfiles) {
   if (!TypeParam::kLongRuns) GTEST_SKIP() << "too slow in this form";
   // Between plates half a height H apart from the middle, driven along x. Exact profiles: Bird, Stewart and
@@ -396,7 +429,8 @@ REGISTER_TYPED_TEST_SUITE_P(FlowContract, LatticeHasItsDensityWithinOnePercent,
                             FloorReplacesTheMissingHalfOfTheDensity, CornersOfWallsCountOnce,
                             PairForcesConserveMomentum, ViscosityAndSmoothingTakeEnergyAndKeepMomentum,
                             ColumnSettlesToHydrostaticPressure, DensityByContinuityIsTheDivergence,
-                            ChannelFlowsHaveTheirProfiles, ABlockSlidesDownSmoothGroundAndStopsOnRough,
+                            DensityByContinuityLeavesLayersOfTwoMaterialsAlone, ChannelFlowsHaveTheirProfiles,
+                            ABlockSlidesDownSmoothGroundAndStopsOnRough,
                             MovingThePatternByWholeCellsChangesNothing,
                             PeriodicNeighboursAreSeenAcrossTheSeam, CrowdsLargerThanABatchAreSummedWhole,
                             SlowMotionIsNotLost, WhatLeavesTheDomainIsTakenOutAndOthersKeepTheirNumbers,
