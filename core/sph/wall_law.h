@@ -86,14 +86,16 @@ SPIN_HD_INLINE float wallDilation(float s, float distance) {
 
 /// Adds a no-slip wall's part to the velocity gradient (rate `relative`/d along the normal, times s P(s) +
 /// lambda(s)) and to the correction matrix (the same along the normal, lambda along the plane). Both with
-/// their factors, in 1/s and 1.
+/// their factors, in 1/s and 1. Of what slides along it a wall knows no gradient: then both are left as they
+/// are, one-sided as at a free surface, which the correction makes up for.
 SPIN_HD_INLINE void addWallGradient(const WallContact& wall, float s, float distance,
                                     const PairVector<float>& relative, bool sticks,
                                     GradientSums<float>& sums) {
+  if (!sticks) return;
   const float lambda = CubicSpline::halfSpaceIntegral(s);
   const float normal = maximum(s, 0.0f) * CubicSpline::planeIntegral(s) + lambda;
   const float n[3] = {wall.nx, wall.ny, wall.nz}, v[3] = {relative.x, relative.y, relative.z};
-  for (int a = 0; a < 3 && sticks; ++a)
+  for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) sums.g[3 * a + b] += v[a] / distance * n[b] * normal;
   const float extra = normal - lambda;
   sums.m[0] += lambda + extra * n[0] * n[0];

@@ -179,19 +179,25 @@ TEST(FlowSolverTest, ContinuityGivesAQuietPressureInADeepColumn) {
 }
 
 TEST(FlowSolverTest, ShearRateOfALinearFlowIsExactAlsoAtTheSurface) {
-  // u = rate z above a wall that sticks, free surface above: the correction makes up for what is missing
-  // there.
-  FlowConfig c = testing::boxConfig(12, 12, 16);
-  c.gravity = {};
-  c.materials[0].rheology.law = RheologyLaw::Yield;
-  auto particles = testing::lattice(c, 12, 12, 10, 0.1, {0, 0, 0.05 * c.spacing});
-  for (FlowParticle& p : particles) p.velocity.x = 3.0 * p.position.z;
-  testing::wrap(c, particles);
-  const Solver solver = cpuSolver(c, 1, bestIsa());
-  ASSERT_TRUE(solver->add(particles).ok());
-  ASSERT_TRUE(solver->step(1e-9).ok());
-  for (const FlowSample& s : solver->samples())
-    ASSERT_NEAR(s.shearRate, 3.0, 0.1) << s.particle.position.z / c.spacing;
+  // u = rate z above a wall, free surface above: the correction makes up for what is missing there, and at a
+  // wall that lets slide.
+  for (const WallFriction friction : {WallFriction::NoSlip, WallFriction::Coulomb, WallFriction::FreeSlip})
+    for (const double support : {2.0, 3.0}) {
+      FlowConfig c = testing::boxConfig(12, 12, 16);
+      c.supportSpacings = support;
+      c.gravity = {};
+      c.walls.surfaces = {{friction, 0.3f}};
+      c.materials[0].rheology.law = RheologyLaw::Yield;
+      auto particles = testing::lattice(c, 12, 12, 10, 0.1, {0, 0, 0.05 * c.spacing});
+      for (FlowParticle& p : particles) p.velocity.x = 3.0 * p.position.z;
+      testing::wrap(c, particles);
+      const Solver solver = cpuSolver(c, 1, bestIsa());
+      ASSERT_TRUE(solver->add(particles).ok());
+      ASSERT_TRUE(solver->step(1e-9).ok());
+      for (const FlowSample& s : solver->samples())
+        ASSERT_NEAR(s.shearRate, 3.0, 0.1)
+            << static_cast<int>(friction) << " " << support << " " << s.particle.position.z / c.spacing;
+    }
 }
 
 TEST(FlowSolverTest, TheStepIsTheLeastOfItsLimitsAndSaysWhich) {
