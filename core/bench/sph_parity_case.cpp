@@ -91,7 +91,9 @@ Status advance(FlowSolver& first, FlowSolver& second, int steps) {
     const Result<FlowStep> done = first.step(1e-3);
     if (!done) return done.error();
     double left = done->seconds;
-    while (left > 1e-9 * done->seconds) {
+    // A limit that is lower in its last bit is no reason for a step of nothing: the next one's density would
+    // go by it.
+    while (left > 1e-6 * done->seconds) {
       const Result<FlowStep> same = second.step(left);
       if (!same) return same.error();
       left -= same->seconds;
