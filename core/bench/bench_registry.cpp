@@ -33,6 +33,7 @@ BenchCase channelPowerCase();
 BenchCase channelBinghamCase();
 BenchCase channelHerschelCase();
 BenchCase channelCrossCase();
+BenchCase twoFluidsStepCase();
 
 const std::vector<BenchCase>& builtInBenchCases() {
   static const std::vector<BenchCase> cases = {
@@ -42,7 +43,7 @@ const std::vector<BenchCase>& builtInBenchCases() {
       channelHerschelCase(),  channelCrossCase(), kernelSumsCase(),   damBreakCase(),
       filmBinghamCase(),      filmCrossCase(),    slumpCase(),        granularColumnCase(),
       inclineSlipCase(),      penetrationCase(),  conservationCase(), taylorGreenSphCase(),
-      sphWorkPrecisionCase(), buoyancyCase(),     sphParityCase(),
+      sphWorkPrecisionCase(), buoyancyCase(),     sphParityCase(),    twoFluidsStepCase(),
   };
   return cases;
 }

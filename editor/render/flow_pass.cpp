@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/log.h"
+#include "core/base/units.h"
 
 namespace spin {
 namespace {
@@ -55,7 +56,13 @@ struct Traits {
   double density, viscosity, speed, neighbours;  // SI
 };
 
-/// Place on the scale, share of water, foam of water or dust that snow raises, looseness.
+/// How high fast snow raises dust, m: a share of the height that its speed would carry it to.
+double dustHeight(double speed) {
+  return 0.08 * speed * speed / kStandardGravity;
+}
+
+/// Place on the scale (in the natural look, which needs none: the height of the dust), share of water, foam
+/// of water or dust that snow raises, looseness.
 Vec4f lookOf(double place, const Traits& t) {
   const float loose = 1.0f - rise(2.0, 10.0, t.neighbours);
   // Thick fluids as dense as water are slurries: they look like snow.
@@ -200,8 +207,10 @@ void FlowPass::uploadLooks(const RenderNode& settings) {
       const auto of = [k](const std::vector<float>& list, double other) {
         return list.empty() ? other : static_cast<double>(list[k]);
       };
-      looks[k] = lookOf(m_scale.place(of(values, 0.0)),
-                        {of(density, 300.0), of(viscosity, 0.0), of(speed, 0.0), of(neighbours, 30.0)});
+      const double fast = of(speed, 0.0);
+      const bool natural = m_scale.shows == FlowDisplay::Material;
+      looks[k] = lookOf(natural ? dustHeight(fast) : m_scale.place(of(values, 0.0)),
+                        {of(density, 300.0), of(viscosity, 0.0), fast, of(neighbours, 30.0)});
       m_dusty = m_dusty || (looks[k].y <= 0.5f && looks[k].z > 0.05f);
     }
   }

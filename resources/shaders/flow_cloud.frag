@@ -23,6 +23,8 @@ void main() {
   gl_FragDepth = uViewProjection[3][2] / max(distance, 0.11);
   float sunlit = mix(1.0, texture(uTerrainLight, terrainUv(p.xy)).a, uTerrainGrid.w) *
                  modelShadow(p + uToSun.xyz * (3.0 * uFlow.x));
-  vec3 colour = uSun.rgb * (0.62 * sunlit) + uSky.rgb * 0.62 + uBounce.rgb * 0.3;
+  // Thick dust stands in its own shade.
+  float deep = 1.0 - exp(-0.3 * dust.r);
+  vec3 colour = uSun.rgb * (mix(0.62, 0.36, deep) * sunlit) + uSky.rgb * mix(0.62, 0.5, deep) + uBounce.rgb * 0.3;
   oColour = vec4(finish(colour, hazeAt(p)), share * (1.0 - exp(-0.7 * dust.r)));
 }

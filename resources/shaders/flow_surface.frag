@@ -32,13 +32,23 @@ vec2 distanceAt(vec2 at) {
 }
 
 #ifndef VALUES
-vec3 snowSurface(vec3 p, vec3 normal, float open, float loose, float sunlit, float skyOpen, float distance) {
+// What is broken lies rough: lumps shade each other and pores hold light, so it is darker than the smooth cover
+// round it, the more where its lumps are too small to be seen (`fine` 0) and shade nothing in the picture.
+float roughShade(vec2 along, float fine) {
+  float lumps = texture(uNoise, along * (1.0 / 13.0)).r + texture(uNoise, along * (1.0 / 37.0)).g - 1.0;
+  return mix(0.76, 0.92, fine) * (1.0 + mix(0.42, 0.14, fine) * lumps);
+}
+
+vec3 snowSurface(vec3 p, vec3 normal, float open, float loose, float fine, float sunlit, float skyOpen,
+                 float distance) {
   vec2 along = p.xy + 0.73 * p.zz * vec2(1.0, -1.0);
   vec4 coarse = texture(uNoise, along * (1.0 / 5.3)), grain = texture(uNoise, along * (1.0 / 0.61));
   float nearness = 1.0 - smoothstep(25.0, 90.0, distance);
-  vec2 wrinkle = (coarse.gb - 0.5) * 0.34 + (grain.gb - 0.5) * (0.42 * nearness);
+  vec2 lumps = texture(uNoise, along * (1.0 / 17.0)).gb - 0.5;
+  vec2 wrinkle = (coarse.gb - 0.5) * 0.34 + (grain.gb - 0.5) * (0.42 * nearness) + lumps * mix(0.5, 0.2, nearness);
   vec3 n = normalize(normal + wrinkle.x * uRight.xyz + wrinkle.y * cross(uRight.xyz, uForward.xyz));
   float shade = (0.93 + 0.14 * (coarse.r - 0.5) + 0.2 * (grain.r - 0.5) * nearness) * mix(0.62, 1.0, open);
+  shade *= roughShade(along, fine);
   vec3 colour = snowColour(n, sunlit * mix(0.7, 1.0, open), skyOpen * mix(0.55, 1.0, open)) * shade;
   return colour + snowSparkle(grain.a, n, normalize(uEye.xyz - p), distance, sunlit) * (1.0 - loose);
 }
@@ -89,7 +99,7 @@ void main() {
   normal = normalize(mix(normal, vec3(0.0, 0.0, 1.0), (0.35 + 0.45 * water) * loose));
   float sunlit = modelShadow(p + uToSun.xyz * (1.6 * uFlow.x)) * mix(1.0, light.a, uTerrainGrid.w);
   float skyOpen = mix(1.0, light.z, uTerrainGrid.w);
-  vec3 snow = snowSurface(p, normal, open, loose, sunlit, skyOpen, distance);
+  vec3 snow = snowSurface(p, normal, open, loose, fine, sunlit, skyOpen, distance);
   vec3 snowKept = vec3(exp(-2.2 * all / uFlow.x));
   vec3 reflectance;
   vec3 mirror = waterSurface(p, normal, foam, sunlit, skyOpen, reflectance);

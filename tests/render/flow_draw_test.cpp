@@ -99,6 +99,26 @@ TEST_F(FlowDraw, ValuesGetTheirColours) {
   expectHue(120, 1.0);
 }
 
+TEST_F(FlowDraw, FastSnowRaisesDustAndSlowSnowHardlyAny) {
+  const SnapshotPointer scene = ground().build();
+  const Picture without = draw(scene, nullptr, kView, sized(200, 120));
+  const auto dustAbove = [&](float speed) {
+    ParticleSet set = block(300.0);
+    for (std::size_t k = 0; k < set.size(); ++k) set.attributes[0].values[3 * k] = speed;
+    set.attributes[2].values.assign(set.size(), 8.0f);
+    const Picture with = draw(scene, flowFrame(set), kView, sized(200, 120));
+    int count = 0;
+    // The block's top is in row 47.
+    for (int y = 0; y < 36; ++y)
+      for (int x = 0; x < 200; ++x) count += touched(without, with, x, y);
+    return count;
+  };
+  EXPECT_EQ(dustAbove(0.0f), 0);
+  const int slow = dustAbove(8.0f), fast = dustAbove(30.0f);
+  EXPECT_GT(fast, 1000);
+  EXPECT_LT(slow, fast / 5);
+}
+
 TEST_F(FlowDraw, WhatStandsBeforeHidesTheFlow) {
   SceneBuilder builder = ground();
   addModel(builder, "wall", boxModel({60, 0.2, 30}), {80, 75, 0});
