@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kGravity = 9.80665, kSlope = 24.0 * 3.14159265358979323846 / 180.0;
 /// Steps that are tried; the largest is where sound goes a spacing in a step.
-constexpr double kShortest = 5e-5, kPrecision = 1.05;
+constexpr double kShortest = 2e-4, kPrecision = 1.05;
 constexpr double kMostCompression = 0.1, kMostGain = 0.01;
 constexpr int kMoments = 10;
 
@@ -102,7 +102,7 @@ Result<BenchRow> measure(const BenchOptions& options, double cap, bool atCap, Vi
                          double published) {
   const BenchMeter meter;
   const TwoFluids fluids = twoFluids(cap, atCap, viscosity);
-  const double seconds = options.quick ? 0.1 : 0.5;
+  const double seconds = options.quick ? 0.1 : 0.3;
   BenchRow row;
   row.settings["cap"] = fmt::format("{:g} Pa s", cap);
   row.settings["fluid"] = atCap ? "at the cap" : "Cross";

@@ -23,8 +23,13 @@ void main() {
   gl_FragDepth = uViewProjection[3][2] / max(distance, 0.11);
   float sunlit = mix(1.0, texture(uTerrainLight, terrainUv(p.xy)).a, uTerrainGrid.w) *
                  modelShadow(p + uToSun.xyz * (3.0 * uFlow.x));
-  // Thick dust stands in its own shade.
-  float deep = 1.0 - exp(-0.3 * dust.r);
-  vec3 colour = uSun.rgb * (mix(0.62, 0.36, deep) * sunlit) + uSky.rgb * mix(0.62, 0.5, deep) + uBounce.rgb * 0.3;
+  // Billows: thick dust bulges towards the eye, and stands in its own shade.
+  vec2 uv = texel * uTarget.zw, step = 3.0 * uTarget.zw;
+  float across = texture(uDust, uv + vec2(step.x, 0.0)).r - texture(uDust, uv - vec2(step.x, 0.0)).r;
+  float along = texture(uDust, uv + vec2(0.0, step.y)).r - texture(uDust, uv - vec2(0.0, step.y)).r;
+  vec3 bulge = normalize(-uForward.xyz - (across * uRight.xyz + along * up) / (0.4 + 0.5 * dust.r));
+  float facing = clamp(0.5 + 0.5 * dot(bulge, uToSun.xyz), 0.0, 1.0), deep = 1.0 - exp(-0.3 * dust.r);
+  float lit = mix(0.62, mix(0.24, 0.66, facing), deep);
+  vec3 colour = uSun.rgb * (lit * sunlit) + uSky.rgb * mix(0.62, 0.5 + 0.2 * bulge.z, deep) + uBounce.rgb * 0.3;
   oColour = vec4(finish(colour, hazeAt(p)), share * (1.0 - exp(-0.7 * dust.r)));
 }
