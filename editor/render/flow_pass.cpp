@@ -73,6 +73,32 @@ Vec4f lookOf(double place, const Traits& t) {
   return {static_cast<float>(place), water, water > 0.5f ? foam : dust, loose};
 }
 
+/// Density of each particle's material as a whole, kg/m3: single particles of torn water are as thin as snow.
+/// The mean of those that are denser than the mean. Empty where the set tells no materials.
+std::vector<float> materialDensities(const ParticleSet& set, const std::vector<float>& density) {
+  const ParticleAttribute* material = set.find("material");
+  if (!material || density.empty()) return density;
+  constexpr std::size_t kMost = 256;
+  const auto indexOf = [&](std::size_t k) {
+    return static_cast<std::size_t>(std::clamp(material->values[k], 0.0f, kMost - 1.0f));
+  };
+  std::vector<double> mean(kMost, 0.0);
+  for (int round = 0; round < 2; ++round) {
+    std::vector<double> sum(kMost, 0.0), count(kMost, 0.0);
+    for (std::size_t k = 0; k < density.size(); ++k) {
+      const std::size_t m = indexOf(k);
+      if (static_cast<double>(density[k]) < mean[m]) continue;
+      sum[m] += static_cast<double>(density[k]);
+      count[m] += 1.0;
+    }
+    for (std::size_t m = 0; m < kMost; ++m)
+      if (count[m] > 0.0) mean[m] = sum[m] / count[m];
+  }
+  std::vector<float> whole(density.size());
+  for (std::size_t k = 0; k < density.size(); ++k) whole[k] = static_cast<float>(mean[indexOf(k)]);
+  return whole;
+}
+
 /// Clip distance before the eye that a fifth of the particles in sight are nearer than; 0 if none is in
 /// sight.
 double nearDistance(const std::vector<Vec3f>& positions, const DrawContext& context) {
@@ -196,7 +222,8 @@ void FlowPass::uploadLooks(const RenderNode& settings) {
   if (m_flow) {
     const ParticleSet& set = m_flow->particles;
     const std::vector<float> values = flowValues(set, settings.flowDisplay);
-    const auto density = flowValues(set, FlowDisplay::Density), speed = flowValues(set, FlowDisplay::Speed);
+    const auto density = materialDensities(set, flowValues(set, FlowDisplay::Density)),
+               speed = flowValues(set, FlowDisplay::Speed);
     const auto viscosity = flowValues(set, FlowDisplay::Viscosity);
     auto neighbours = flowValues(set, FlowDisplay::Neighbours);
     // Before the first step nobody has counted them.

@@ -119,6 +119,22 @@ TEST_F(FlowDraw, FastSnowRaisesDustAndSlowSnowHardlyAny) {
   EXPECT_LT(slow, fast / 5);
 }
 
+TEST_F(FlowDraw, TornWaterRaisesNoDust) {
+  const SnapshotPointer scene = ground().build();
+  ParticleSet whole = block(1000.0);
+  for (std::size_t k = 0; k < whole.size(); ++k) whole.attributes[0].values[3 * k] = 30.0f;
+  whole.attributes[2].values.assign(whole.size(), 8.0f);
+  whole.attributes.push_back({"material", "", 1, std::vector<float>(whole.size(), 1.0f)});
+  ParticleSet torn = whole;
+  for (std::size_t k = 0; k < torn.size(); k += 5) torn.attributes[1].values[k] = 600.0f;
+  const Picture a = draw(scene, flowFrame(whole), kView, sized(200, 120)),
+                b = draw(scene, flowFrame(torn), kView, sized(200, 120));
+  int differ = 0;
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 200; ++x) differ += touched(a, b, x, y);
+  EXPECT_EQ(differ, 0);
+}
+
 TEST_F(FlowDraw, WhatStandsBeforeHidesTheFlow) {
   SceneBuilder builder = ground();
   addModel(builder, "wall", boxModel({60, 0.2, 30}), {80, 75, 0});
