@@ -34,16 +34,31 @@ BenchCase channelBinghamCase();
 BenchCase channelHerschelCase();
 BenchCase channelCrossCase();
 BenchCase twoFluidsStepCase();
+BenchCase meltFixedFluxCase();
+BenchCase conductionStepCase();
+BenchCase degreeDayCase();
+BenchCase seasonCase();
+BenchCase snowSpeedCase();
 
 const std::vector<BenchCase>& builtInBenchCases() {
   static const std::vector<BenchCase> cases = {
-      terminalSpeedCase(),    sizeSpectrumCase(), exposureEdgeCase(), exposureRaytracedCase(),
-      slopeCatchCase(),       massCase(),         sphSpeedCase(),     hydrostaticCase(),
-      poiseuilleCase(),       couetteCase(),      channelPowerCase(), channelBinghamCase(),
-      channelHerschelCase(),  channelCrossCase(), kernelSumsCase(),   damBreakCase(),
-      filmBinghamCase(),      filmCrossCase(),    slumpCase(),        granularColumnCase(),
-      inclineSlipCase(),      penetrationCase(),  conservationCase(), taylorGreenSphCase(),
-      sphWorkPrecisionCase(), buoyancyCase(),     sphParityCase(),    twoFluidsStepCase(),
+      terminalSpeedCase(),  sizeSpectrumCase(),
+      exposureEdgeCase(),   exposureRaytracedCase(),
+      slopeCatchCase(),     massCase(),
+      meltFixedFluxCase(),  conductionStepCase(),
+      degreeDayCase(),      seasonCase(),
+      snowSpeedCase(),      sphSpeedCase(),
+      hydrostaticCase(),    poiseuilleCase(),
+      couetteCase(),        channelPowerCase(),
+      channelBinghamCase(), channelHerschelCase(),
+      channelCrossCase(),   kernelSumsCase(),
+      damBreakCase(),       filmBinghamCase(),
+      filmCrossCase(),      slumpCase(),
+      granularColumnCase(), inclineSlipCase(),
+      penetrationCase(),    conservationCase(),
+      taylorGreenSphCase(), sphWorkPrecisionCase(),
+      buoyancyCase(),       sphParityCase(),
+      twoFluidsStepCase(),
   };
   return cases;
 }

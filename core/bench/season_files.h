@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/bench/bench_case.h"
+#include "core/physics/snow_parameters.h"
+#include "core/snow/weather_series.h"
+
+namespace spin {
+
+/// A snow station: where it stands, how high its sensors are, what ground it has.
+struct SnowSite {
+  double latitude = 0.0, longitude = 0.0;  ///< rad
+  double elevation = 0.0;                  ///< m
+  SnowParameters parameters;               ///< the laws' defaults with the sensors' heights
+  std::string groundName = "soil";
+  GroundMaterial ground;
+  /// K above 273.15 K, by the ground's layers; empty where the site does not tell.
+  std::vector<float> soil;
+};
+
+/// Reads {"latitude_deg", "longitude_deg", "elevation_m", "temperature_height_m",
+/// "temperature_height_above_snow", "wind_height_m", "wind_height_above_snow", "soil_temperature_K": [..],
+/// "soil_layers_m": [..], "ground": a ground type's id, "soil_conductivity_W_mK", "soil_heat_capacity_J_m3K",
+/// "soil_water_kg_m3", "ground_albedo", "ground_roughness_m"}. All may be left out; others are ignored. Soil
+/// layers are 0.1, 0.2, 0.4, 0.8 m from the top where nothing is said.
+Result<SnowSite> readSnowSite(const std::string& text, const std::string& where);
+
+struct SeasonFiles {
+  WeatherSeries weather;
+  std::vector<SnowObservation> observations;
+  SnowSite site;
+  std::string name;
+};
+
+/// The files that --met, --obs and --site name, or those of DIR/snowcover. `skipped` says why there are none.
+Result<SeasonFiles> loadSeason(const BenchOptions& options, std::string& skipped);
+
+}  // namespace spin
