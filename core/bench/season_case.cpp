@@ -76,7 +76,8 @@ std::vector<std::pair<double, double>> curveOf(const SeasonRun& run, double Seas
   return points;
 }
 
-/// FILE gets the depth's curves, FILE with _swe before its ending those of the water equivalent.
+/// The last season's curves: FILE gets the depth's curves, FILE with _swe before its ending those of the
+/// water equivalent.
 Status writeCurves(const std::string& file, const SeasonFiles& season, const std::vector<SeasonRun>& runs) {
   const std::int64_t first = runs.front().days.front().day;
   std::vector<PlotCurve> depth{{"observed", {}, true}}, swe{{"observed", {}, true}};
@@ -98,44 +99,54 @@ Status writeCurves(const std::string& file, const SeasonFiles& season, const std
       ErrorKind::OutOfResources, "The curves could not be written", file, "the file cannot be created", {}};
 }
 
-Result<std::vector<BenchRow>> run(const BenchOptions& options) {
-  std::string skipped;
-  const Result<SeasonFiles> season = loadSeason(options, skipped);
-  if (!season) return season.error();
-  BenchRow none;
-  none.caseId = "season";
-  none.skipped = skipped;
-  if (!skipped.empty()) return std::vector<BenchRow>{none};
-  if (const std::string gaps = season->weather.gapReport(); !gaps.empty()) logWarning("season: " + gaps);
-  std::vector<BenchRow> rows;
+BenchRow rowOf(const SeasonFiles& season, const LawChoice& choice, const SeasonRun& done,
+               const SeasonScore& score) {
+  const bool balance = choice.law.law == MeltLaw::EnergyBalance;
+  BenchRow row;
+  row.caseId = "season";
+  row.settings = {{"weather", season.name}, {"law", choice.name}};
+  row.threads = 1;
+  addScore(row, score, balance && season.name == "met_CdP_0506");
+  addBalance(row, done);
+  if (balance) addHeat(row, done, score);
+  if (choice.law.law == MeltLaw::Published) {
+    row.addFigure("guarded_hours", done.guardedHours, "h");
+    row.addFigure("growth_set_to_zero", done.totals[SnowStepTotals::kClampedGrowth], "kg/m2");
+  }
+  return row;
+}
+
+Status addSeason(const SeasonFiles& season, const BenchOptions& options, std::vector<BenchRow>& rows) {
+  if (const std::string gaps = season.weather.gapReport(); !gaps.empty())
+    logWarning(fmt::format("{}: {}", season.name, gaps));
   std::vector<SeasonRun> runs;
-  const bool bars = season->name == "met_CdP_0506";
   for (const LawChoice& choice : kLaws) {
     const BenchMeter meter;
-    BenchRow row;
-    row.caseId = "season";
-    row.settings = {{"weather", season->name}, {"law", choice.name}};
-    runs.push_back(runSeason(*season, choice.law, options));
-    const SeasonRun& done = runs.back();
-    const SeasonScore score = scoreSeason(done, season->observations);
+    runs.push_back(runSeason(season, choice.law, options));
+    const SeasonScore score = scoreSeason(runs.back(), season.observations);
     if (score.sweDays + score.depthDays == 0)
-      return badInput("The season could not be scored", season->name,
+      return badInput("The season could not be scored", season.name,
                       "no day that was observed lies in the weather's time");
-    const bool balance = choice.law.law == MeltLaw::EnergyBalance;
-    addScore(row, score, bars && balance);
-    addBalance(row, done);
-    if (balance) addHeat(row, done, score);
-    if (choice.law.law == MeltLaw::Published) {
-      row.addFigure("guarded_hours", done.guardedHours, "h");
-      row.addFigure("growth_set_to_zero", done.totals[SnowStepTotals::kClampedGrowth], "kg/m2");
-    }
-    meter.finish(row);
-    row.threads = 1;
-    rows.push_back(std::move(row));
+    rows.push_back(rowOf(season, choice, runs.back(), score));
+    meter.finish(rows.back());
   }
   if (const auto curves = options.files.find("curves"); curves != options.files.end())
-    if (const Status written = writeCurves(curves->second, *season, runs); !written) return written.error();
-  return rows;
+    return writeCurves(curves->second, season, runs);
+  return {};
+}
+
+Result<std::vector<BenchRow>> run(const BenchOptions& options) {
+  const Result<std::vector<SeasonFiles>> seasons = loadSeasons(options);
+  if (!seasons) return seasons.error();
+  std::vector<BenchRow> rows;
+  for (const SeasonFiles& season : *seasons)
+    if (const Status done = addSeason(season, options, rows); !done) return done.error();
+  if (!rows.empty()) return rows;
+  BenchRow none;
+  none.caseId = "season";
+  none.skipped =
+      "no weather, observations and site: --met, --obs and --site, or --data with a folder snowcover";
+  return std::vector<BenchRow>{none};
 }
 
 }  // namespace

@@ -118,19 +118,40 @@ void assumeSoil(SeasonFiles& season) {
   season.site.soil.assign(kSoilLayers, static_cast<float>(mean));
 }
 
-/// A file named by an option, else the folder's only file whose name begins so.
-std::string fileFor(const BenchOptions& options, const char* name) {
-  const auto named = options.files.find(name);
-  if (named != options.files.end()) return named->second;
-  if (options.dataDirectory.empty()) return {};
+struct SeasonPaths {
+  std::string met, obs, site;
+};
+
+std::vector<SeasonPaths> seasonsIn(const std::filesystem::path& folder) {
+  std::vector<SeasonPaths> found;
   std::error_code error;
-  std::vector<std::string> found;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(options.dataDirectory) / "snowcover", error))
-    if (entry.path().filename().string().starts_with(fmt::format("{}_", name)))
-      found.push_back(entry.path().string());
-  std::sort(found.begin(), found.end());
-  return found.empty() ? std::string() : found.front();
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().stem().string();
+    if (!name.starts_with("met_")) continue;
+    const std::string season = name.substr(4), ending = entry.path().extension().string();
+    found.push_back({entry.path().string(), (folder / ("obs_" + season + ending)).string(),
+                     (folder / ("site_" + season + ".json")).string()});
+  }
+  std::sort(found.begin(), found.end(),
+            [](const SeasonPaths& a, const SeasonPaths& b) { return a.met < b.met; });
+  return found;
+}
+
+Result<SeasonFiles> loadSeason(const SeasonPaths& paths) {
+  const Result<std::string> met = readTextFile(paths.met), obs = readTextFile(paths.obs),
+                            siteText = readTextFile(paths.site);
+  for (const Result<std::string>* text : {&met, &obs, &siteText})
+    if (!*text) return text->error();
+  Result<WeatherSeries> weather = readWeather(*met, paths.met);
+  if (!weather) return weather.error();
+  Result<std::vector<SnowObservation>> observations = readObservations(*obs, paths.obs);
+  if (!observations) return observations.error();
+  Result<SnowSite> site = readSnowSite(*siteText, paths.site);
+  if (!site) return site.error();
+  SeasonFiles season{std::move(*weather), std::move(*observations), std::move(*site),
+                     std::filesystem::path(paths.met).stem().string()};
+  if (season.site.soil.empty()) assumeSoil(season);
+  return season;
 }
 
 }  // namespace
@@ -162,30 +183,28 @@ Result<SnowSite> readSnowSite(const std::string& text, const std::string& where)
   return site;
 }
 
-Result<SeasonFiles> loadSeason(const BenchOptions& options, std::string& skipped) {
-  SeasonFiles season;
-  const std::string met = fileFor(options, "met"), obs = fileFor(options, "obs"),
-                    site = fileFor(options, "site");
-  if (met.empty() || obs.empty() || site.empty()) {
-    skipped = "no weather, observations and site: --met, --obs and --site, or --data with a folder snowcover";
-    return season;
+Result<std::vector<SeasonFiles>> loadSeasons(const BenchOptions& options) {
+  std::vector<SeasonPaths> paths;
+  const auto named = [&](const char* name) {
+    const auto file = options.files.find(name);
+    return file == options.files.end() ? std::string() : file->second;
+  };
+  const SeasonPaths own{named("met"), named("obs"), named("site")};
+  const bool any = !own.met.empty() || !own.obs.empty() || !own.site.empty();
+  if (any && (own.met.empty() || own.obs.empty() || own.site.empty()))
+    return Error{ErrorKind::Usage, "The season could not be read", "--met, --obs, --site",
+                 "one of them is missing", "Name all three"};
+  if (any)
+    paths.push_back(own);
+  else if (!options.dataDirectory.empty())
+    paths = seasonsIn(std::filesystem::path(options.dataDirectory) / "snowcover");
+  std::vector<SeasonFiles> seasons;
+  for (const SeasonPaths& files : paths) {
+    Result<SeasonFiles> season = loadSeason(files);
+    if (!season) return season.error();
+    seasons.push_back(std::move(*season));
   }
-  const Result<std::string> metText = readTextFile(met), obsText = readTextFile(obs),
-                            siteText = readTextFile(site);
-  for (const Result<std::string>* text : {&metText, &obsText, &siteText})
-    if (!*text) return text->error();
-  Result<WeatherSeries> weather = readWeather(*metText, met);
-  if (!weather) return weather.error();
-  Result<std::vector<SnowObservation>> observations = readObservations(*obsText, obs);
-  if (!observations) return observations.error();
-  Result<SnowSite> place = readSnowSite(*siteText, site);
-  if (!place) return place.error();
-  season.weather = std::move(*weather);
-  season.observations = std::move(*observations);
-  season.site = std::move(*place);
-  season.name = std::filesystem::path(met).stem().string();
-  if (season.site.soil.empty()) assumeSoil(season);
-  return season;
+  return seasons;
 }
 
 }  // namespace spin

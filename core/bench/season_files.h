@@ -36,7 +36,8 @@ struct SeasonFiles {
   std::string name;
 };
 
-/// The files that --met, --obs and --site name, or those of DIR/snowcover. `skipped` says why there are none.
-Result<SeasonFiles> loadSeason(const BenchOptions& options, std::string& skipped);
+/// The season that --met, --obs and --site name, else all of DIR/snowcover: met_NAME.txt with obs_NAME.txt
+/// and site_NAME.json. None where nothing is named or there.
+Result<std::vector<SeasonFiles>> loadSeasons(const BenchOptions& options);
 
 }  // namespace spin

@@ -7,6 +7,9 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/physics/sunlight.h"
+#include "core/snow/snow_cells.h"
+#include "core/snow/station_weather.h"
 
 namespace spin {
 namespace {
@@ -62,6 +65,39 @@ TEST(Horizon, HolesAndOneCellHideNothing) {
   const HorizonMap one = HorizonMap::make(Raster<float>(1, 1, 0, 0, 10.0, 5.0f), 100.0, backend);
   EXPECT_NEAR(one.skyView(0), 1.0, 1e-9);
   EXPECT_GT(one.beamFactor(0, {0, 0, 1}), 0.99);
+}
+
+/// Snow left on the middles of a south and a north slope after clear days of spring.
+TEST(Horizon, SouthSlopesMeltFirst) {
+  Raster<float> ridge(41, 41, 0, 0, 10.0);
+  for (int j = 0; j < 41; ++j)
+    for (int i = 0; i < 41; ++i) ridge.at(i, j) = static_cast<float>(400.0 - 5.0 * std::abs(j - 20));
+  CpuBackend backend(1);
+  const HorizonMap map = HorizonMap::make(ridge, 1000.0, backend);
+  const std::size_t places[] = {ridge.index(20, 10), ridge.index(20, 30)};  // south, north
+  SnowCells cells(2, {GroundMaterial{}}, {});
+  for (std::size_t k = 0; k < 2; ++k) {
+    SnowColumn<float> c = cells.column(k);
+    c.snow[2].ice = 300.0f;
+    c.snow[2].depth = 1.0f;
+    cells.setColumn(k, c);
+    cells.setting(kSkyView)[k] = static_cast<float>(map.skyView(places[k]));
+  }
+  WeatherRecord record;
+  record.longwave = 260.0;
+  record.airTemperature = kZeroCelsius + 1.0;
+  record.relativeHumidity = 0.6;
+  record.wind = 2.0;
+  record.pressure = 9e4;
+  for (int hour = 0; hour < 24 * 20; ++hour) {
+    const double start = 1773964800.0;  // 2026-03-20 00:00 UTC
+    const Sun sun = sunAt(start + 3600.0 * (hour + 0.5), degreesToRadians(47.0), 0.0);
+    record.shortwave = sun.isUp() ? 0.7 * sun.extraterrestrial * sun.direction.z : 0.0;
+    for (std::size_t k = 0; k < 2; ++k)
+      cells.setting(kBeamFactor)[k] = static_cast<float>(map.beamFactor(places[k], sun.direction));
+    cells.advance(stationWeather(record, 3600.0, &sun), backend);
+  }
+  EXPECT_LT(columnMass(cells.column(0)), columnMass(cells.column(1)) - 100.0);
 }
 
 }  // namespace
