@@ -8,6 +8,8 @@ namespace spin {
 // here and called once in the list below.
 BenchCase terminalSpeedCase();
 BenchCase sizeSpectrumCase();
+BenchCase flakeDimensionCase();
+BenchCase flutterCase();
 BenchCase exposureEdgeCase();
 BenchCase exposureRaytracedCase();
 BenchCase slopeCatchCase();
@@ -43,6 +45,7 @@ BenchCase snowSpeedCase();
 const std::vector<BenchCase>& builtInBenchCases() {
   static const std::vector<BenchCase> cases = {
       terminalSpeedCase(),  sizeSpectrumCase(),
+      flakeDimensionCase(), flutterCase(),
       exposureEdgeCase(),   exposureRaytracedCase(),
       slopeCatchCase(),     massCase(),
       meltFixedFluxCase(),  conductionStepCase(),

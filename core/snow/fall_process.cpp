@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/random.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/physics/drag.h"
+#include "core/physics/flutter.h"
 #include "core/snow/snow_inputs.h"
 #include "core/snow/snow_processes.h"
 #include "core/snow/snow_weather.h"
@@ -14,29 +16,15 @@ namespace {
 
 constexpr Vec3d kGravity{0.0, 0.0, -kStandardGravity};
 
-/// What a flake keeps for life, drawn from its number.
-struct FlakeNature {
-  double quantile = 0.5;  ///< share of the flakes that are smaller
-  double swing = 0.0;     ///< share of the flutter's amplitude
-  double rate = 1.0;      ///< factor on the flutter's rate, so that no two flakes swing in step
-  double phase = 0.0;     ///< rad
-  Vec3d across{1, 0, 0};  ///< horizontal direction of the swing
-};
+constexpr std::uint32_t kFlakeStream = 0x666c616bu;
+constexpr double kFullSwingSpeed = 1.0;  // m/s of fall from which a flake swings by the whole amplitude
 
-FlakeNature natureOf(std::uint64_t seed, std::size_t id) {
-  const CounterRandom random{seed, 0x666c616bu};
-  const UInt4 a = random.words(id, 0), b = random.words(id, 1);
-  FlakeNature nature;
-  // Multiples of the golden ratio are spread evenly over the quantiles for any number of flakes.
+/// Share of the flakes that are smaller than this one. Multiples of the golden ratio are spread evenly over
+/// the quantiles for any number of flakes.
+double quantileOf(std::size_t id) {
   constexpr double kGolden = 0.61803398874989485;
   const double spread = (static_cast<double>(id) + 0.5) * kGolden;
-  nature.quantile = spread - std::floor(spread);
-  nature.swing = toUnitDouble(a.x, a.y);
-  nature.rate = 0.7 + 0.6 * toUnitDouble(a.z, a.w);
-  nature.phase = 2.0 * kPi * toUnitDouble(b.x, b.y);
-  const double heading = 2.0 * kPi * toUnitDouble(b.z, b.w);
-  nature.across = {std::cos(heading), std::sin(heading), 0.0};
-  return nature;
+  return spread - std::floor(spread);
 }
 
 double wrapped(double value, double period) {
@@ -66,7 +54,7 @@ class FallProcess final : public Process {
       const UInt4 a = random.words(k, 0), b = random.words(k, 1);
       m_positions[k] = Vec3d{toUnitDouble(a.x, a.y), toUnitDouble(a.z, a.w), toUnitDouble(b.x, b.y)} *
                        weather.snowfall.boxSize;
-      m_velocities[k] = weather.wind - Vec3d{0, 0, speedOf(weather, natureOf(seed, k))};
+      m_velocities[k] = weather.wind - Vec3d{0, 0, speedOf(weather, quantileOf(k))};
     }
     return {};
   }
@@ -75,10 +63,9 @@ class FallProcess final : public Process {
     const SnowWeather weather = snowWeatherAt(input.scene, middleFilm(input));
     const double h = input.to.film - input.from.film;
     if (weather.precipitation <= 0.0 || !(h > 0.0)) return {};
-    const std::uint64_t seed = seedOf(input.scene);
     context.backend.forEach("fall", m_positions.size(), [&](std::size_t k) {
       if (context.cancel.cancelled()) return;
-      fall(k, speedOf(weather, natureOf(seed, k)), weather, h);
+      fall(k, speedOf(weather, quantileOf(k)), weather, h);
     });
     if (context.cancel.cancelled())
       return Error{ErrorKind::Cancelled, "The simulation stopped", "fall", "it was cancelled", ""};
@@ -98,7 +85,8 @@ class FallProcess final : public Process {
                             : weather.spectrum.numberDensity * std::pow(weather.snowfall.boxSize, 3) /
                                   static_cast<double>(count);
     reserve(set, count);
-    for (std::size_t k = 0; k < count; ++k) addFlake(set, k, natureOf(seed, k), weather, time.film);
+    const CounterRandom random{seed, kFlakeStream};
+    for (std::size_t k = 0; k < count; ++k) addFlake(set, k, drawFlutter(random, k), weather, time.film);
     frame.info.figures["flakes_per_m3"] = weather.spectrum.numberDensity;
     frame.info.figures["mean_fall_speed_m_s"] = weather.spectrum.meanFallSpeed;
     frame.parts["flakes"] = std::move(part);
@@ -126,12 +114,12 @@ class FallProcess final : public Process {
   static std::uint64_t seedOf(const SceneSnapshot& scene) {
     return static_cast<std::uint64_t>(scene.settings<SimulationNode>(0.0).seed);
   }
-  static double massOf(const SnowWeather& weather, const FlakeNature& nature) {
-    return massOfMeltedDiameter(weather.spectrum.meltedDiameter(nature.quantile));
+  static double massOf(const SnowWeather& weather, double quantile) {
+    return massOfMeltedDiameter(weather.spectrum.meltedDiameter(quantile));
   }
-  static double speedOf(const SnowWeather& weather, const FlakeNature& nature) {
+  static double speedOf(const SnowWeather& weather, double quantile) {
     const FlakeFallLaw& law = weather.spectrum.law;
-    return law.terminalSpeed(law.diameterOfMass(massOf(weather, nature)));
+    return law.terminalSpeed(law.diameterOfMass(massOf(weather, quantile)));
   }
 
   void fall(std::size_t k, double terminalSpeed, const SnowWeather& weather, double h) {
@@ -150,13 +138,16 @@ class FallProcess final : public Process {
       a.values.reserve(count * static_cast<std::size_t>(a.components));
   }
 
-  void addFlake(ParticleSet& set, std::size_t k, const FlakeNature& nature, const SnowWeather& weather,
+  void addFlake(ParticleSet& set, std::size_t k, const Flutter& flutter, const SnowWeather& weather,
                 double film) const {
-    const double amplitude = weather.snowfall.flutterAmplitude * nature.swing;
-    const double rate = weather.snowfall.flutterRate * nature.rate;
-    const double angle = rate * film + nature.phase;
-    const Vec3d p = m_positions[k] + nature.across * (amplitude * std::sin(angle));
-    const Vec3d v = m_velocities[k] + nature.across * (amplitude * rate * std::cos(angle));
+    const double mass = massOf(weather, quantileOf(k)), diameter = weather.spectrum.law.diameterOfMass(mass);
+    // The swing of slow flakes is smaller in proportion, or the smallest would fly sideways.
+    const double amplitude = weather.snowfall.flutterAmplitude *
+                             std::min(weather.spectrum.law.terminalSpeed(diameter) / kFullSwingSpeed, 1.0);
+    const FlutterState swing =
+        flutterAt(flutter, FlutterLaw::Steady, amplitude, weather.snowfall.flutterRate, film);
+    const Vec3d p = m_positions[k] + Vec3d{swing.offset.x, swing.offset.y, 0.0};
+    const Vec3d v = m_velocities[k] + Vec3d{swing.velocity.x, swing.velocity.y, 0.0};
     const auto box = static_cast<float>(weather.snowfall.boxSize);
     const auto inBox = [&](double c) {
       const auto rounded = static_cast<float>(wrapped(c, weather.snowfall.boxSize));
@@ -166,8 +157,7 @@ class FallProcess final : public Process {
     set.positions.push_back({inBox(p.x), inBox(p.y), inBox(p.z)});
     const Vec3f velocity = v.to<float>();
     set.attributes[0].values.insert(set.attributes[0].values.end(), {velocity.x, velocity.y, velocity.z});
-    const double mass = massOf(weather, nature);
-    set.attributes[1].values.push_back(static_cast<float>(weather.spectrum.law.diameterOfMass(mass)));
+    set.attributes[1].values.push_back(static_cast<float>(diameter));
     set.attributes[2].values.push_back(static_cast<float>(mass));
   }
 
