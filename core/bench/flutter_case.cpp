@@ -53,7 +53,7 @@ class Watch {
   /// Largest |mean velocity| over the root mean square, times the root of the number.
   double commonSwing() const { return m_common; }
   /// Range of the mean square of the swing's speed over the looks, over its mean, times the root of the
-  /// number: 2 to 9 by chance, the root of the number where all beat in step.
+  /// number: 2 to 11 by chance, the root of the number where all beat in step.
   double beat() const {
     return (m_highest - m_lowest) / (m_squares / m_looks) * std::sqrt(static_cast<double>(m_ways.size()));
   }
