@@ -26,6 +26,11 @@ SPIN_HD_INLINE void forBoundaryNear(const FlowView& v, const FlowView& boundary,
       });
 }
 
+/// The implicit pressure mirrors the flow in bodies: they have the particle's pressure and its velocity with
+/// the normal part turned round, so they count twice in the constraint's gradient. Counted once, the first
+/// layer would carry its column with twice the pressure.
+inline constexpr float kSolveMirror = 2.0f;
+
 /// P_i + p_b of a pair: the body's pressure is the particle's, continued hydrostatically to the boundary
 /// particle and never below 0, as at walls (pressure mirroring: Akinci et al. 2012). `pressure` is p_i,
 /// `toBody` x_b - x_i in supports.

@@ -235,19 +235,6 @@ struct IntegrateKernel {
   FlowView v;
   float kick;
 
-  /// Rate of the excess by walls, with the velocity before the step, as over neighbours.
-  SPIN_HD float wallDensityRate(std::size_t i) const {
-    const FlowConstants& c = v.constants;
-    const PairRecord& r = v.record[i];
-    float rate = 0.0f;
-    v.nearWalls(i, [&](const WallContact& w) {
-      const float leaving = (r.vx - w.vx) * w.nx + (r.vy - w.vy) * w.ny + (r.vz - w.vz) * w.nz;
-      rate -=
-          wallDilation(w.distance / c.support, maximum(w.distance, kLeastWallDistance * c.spacing)) * leaving;
-    });
-    return rate;
-  }
-
   /// Pressure, solidity and friction of all walls near particle i; changes its velocity.
   SPIN_HD void actWalls(std::size_t i, PairVector<float>& velocity) const {
     forWallSlopes(v, i, [&](const WallContact& w, float slope) {
@@ -313,7 +300,7 @@ struct IntegrateKernel {
   SPIN_HD void operator()(std::size_t i) const {
     const FlowConstants& c = v.constants;
     PairRecord& r = v.record[i];
-    const float wallRate = v.rate && (v.extra[i].flags & kNearWall) ? wallDensityRate(i) : 0.0f;
+    const float wallRate = v.rate && (v.extra[i].flags & kNearWall) ? wallRate(v, i) : 0.0f;
     const PairVector<float> velocity = newVelocity(i);
     r.vx = velocity.x;
     r.vy = velocity.y;

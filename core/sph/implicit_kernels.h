@@ -48,9 +48,9 @@ struct ConstraintKernel {
     forWallSlopes(v, i, [&](const WallContact& w, float slope) {
       touches = true;
       open *= maximum(1.0f - solidShare(w.distance / c.support, c.layer).density, 0.0f);
-      walls.x -= kSolveMirror * slope * w.nx;
-      walls.y -= kSolveMirror * slope * w.ny;
-      walls.z -= kSolveMirror * slope * w.nz;
+      walls.x -= slope * w.nx;
+      walls.y -= slope * w.ny;
+      walls.z -= slope * w.nz;
     });
     ParticleExtra& extra = v.extra[i];
     extra.flags = touches ? extra.flags | kNearWall : extra.flags & ~kNearWall;
@@ -104,14 +104,31 @@ struct JoinFlowLimits {
   }
 };
 struct FlowLimitsOf {
+  /// Towards a solid a particle goes less far in a step.
+  static constexpr float kApproach = 5.0f;
+
   FlowView v;
   float courantFlow, viscousFactor;
+  /// Speed towards a wall in reach, m/s.
+  SPIN_HD float approachOf(std::size_t i) const {
+    float fastest = 0.0f;
+    if ((v.extra[i].flags & kNearWall) == 0) return fastest;
+    const PairRecord& r = v.record[i];
+    const PairVector<float> p = metresOf(v, i);
+    v.walls.near(p.x, p.y, p.z, v.constants.support, [&](const WallContact& w) {
+      const float away = (r.vx - w.vx) * w.nx + (r.vy - w.vy) * w.ny + (r.vz - w.vz) * w.nz;
+      fastest = maximum(fastest, -away);
+    });
+    return fastest;
+  }
   SPIN_HD FlowLimits operator()(std::size_t i) const {
     const PairRecord& r = v.record[i];
     const float speed = squareRoot(r.vx * r.vx + r.vy * r.vy + r.vz * r.vz), nu = r.viscosity / r.restDensity;
     const float spacing = v.constants.spacing, check = speed + r.pressureTerm + v.excess[i];
     const float excess = maximum(v.excess[i], 0.0f);
-    return {{speed > 0.0f ? courantFlow * spacing / speed : INFINITY, INFINITY,
+    // A solid's share of the density grows faster than its slope foretells.
+    const float way = maximum(speed, kApproach * approachOf(i));
+    return {{way > 0.0f ? courantFlow * spacing / way : INFINITY, INFINITY,
              nu > 0.0f ? viscousFactor * spacing * spacing / nu : INFINITY,
              check - check == 0.0f ? UINT32_MAX : v.id[i]},
             static_cast<double>(excess),
@@ -146,7 +163,7 @@ struct PredictKernel {
     const float kick = step.kick;
     PairRecord& r = v.record[i];
     const bool near = (v.extra[i].flags & kNearWall) != 0;
-    const float wallRate = v.rate && near ? step.wallDensityRate(i) : 0.0f;
+    const float wallRate = v.rate && near ? wallRate(v, i) : 0.0f;
     PairVector<float> velocity{r.vx + kick * (v.ax[i] + c.gravityX), r.vy + kick * (v.ay[i] + c.gravityY),
                                r.vz + kick * (v.az[i] + c.gravityZ)};
     step.addWind(r, velocity);

@@ -6,8 +6,8 @@
 #include "core/sph/wall_friction.h"
 
 /// The sums of the implicit pressure (after DFSPH, Bender and Koschier 2015, 2017) in the form of
-/// flow_passes.h. With G_i = sum V0 grad W and B_i = kSolveMirror times the slopes of walls, velocities
-/// change the excess at the rate
+/// flow_passes.h. With G_i = sum V0 grad W and B_i the slopes of walls, velocities change the excess at the
+/// rate
 ///   sum V0 (v_i - v_j) . grad W + (v_i - v_wall) . B_i
 /// and a pressure term P accelerates by its adjoint,
 ///   a_i = -1/rho_i (sum V0 (P_i + P_j) grad W + P_i B_i),
@@ -41,16 +41,6 @@ struct ConstraintPass {
     own.store(scale * scale * squares, v.pressureSolve.compliance);
   }
 };
-
-/// Rate of the excess of particle i by walls, 1/s.
-SPIN_HD_INLINE float wallRate(const FlowView& v, std::size_t i) {
-  const PairRecord& r = v.record[i];
-  float rate = 0.0f;
-  forWallSlopes(v, i, [&](const WallContact& w, float slope) SPIN_INLINE_LAMBDA {
-    rate -= kSolveMirror * slope * ((r.vx - w.vx) * w.nx + (r.vy - w.vy) * w.ny + (r.vz - w.vz) * w.nz);
-  });
-  return rate;
-}
 
 /// One iterate: relaxed Jacobi, the pressure held above its least, then momentum (Nesterov 1983). `rate` is
 /// that of the excess by all of the current velocities. A share of a surplus is taken off, a deficit may be
@@ -113,7 +103,7 @@ struct DivergencePass : OwnVelocity<Lanes> {
 /// Velocity that walls give to particle i for a change of its pressure term.
 SPIN_HD_INLINE void pushOffWalls(const FlowView& v, std::size_t i, float change, float seconds,
                                  PairVector<float>& velocity) {
-  const float scale = kSolveMirror * seconds * change / v.record[i].restDensity;
+  const float scale = seconds * change / v.record[i].restDensity;
   forWallSlopes(v, i, [&](const WallContact& w, float slope) SPIN_INLINE_LAMBDA {
     velocity.x += scale * slope * w.nx;
     velocity.y += scale * slope * w.ny;

@@ -82,17 +82,25 @@ SPIN_HD_INLINE void forWallSlopes(const FlowView& v, std::size_t i, const Visit&
   });
 }
 
-/// Acceleration of particle i by a wall, m/s2: (P_i + p_w) slope / rho0. Both terms: a column at rest errs by
-/// 24 % and more without the wall's own pressure. That is the particle's where the pressure is solved for,
-/// else it is continued hydrostatically.
+/// Rate of the excess of particle i by walls, 1/s.
+SPIN_HD_INLINE float wallRate(const FlowView& v, std::size_t i) {
+  const PairRecord& r = v.record[i];
+  float rate = 0.0f;
+  forWallSlopes(v, i, [&](const WallContact& w, float slope) SPIN_INLINE_LAMBDA {
+    rate -= slope * ((r.vx - w.vx) * w.nx + (r.vy - w.vy) * w.ny + (r.vz - w.vz) * w.nz);
+  });
+  return rate;
+}
+
+/// Acceleration of particle i by a wall, m/s2: (P_i + what wallHead() adds) slope / rho0. The pressure that
+/// is solved for has the head in it.
 SPIN_HD_INLINE float wallPushOf(const FlowView& v, std::size_t i, const WallContact& w, float slope) {
   const FlowConstants& c = v.constants;
   const PairRecord& r = v.record[i];
-  const float e = 1.0f + v.excess[i], along = c.gravityX * w.nx + c.gravityY * w.ny + c.gravityZ * w.nz;
-  const float wall = v.pressureSolve.pressure
-                         ? (kSolveMirror - 1.0f) * r.pressureTerm
-                         : wallPressure(r.pressureTerm * e * e, r.restDensity, along, w.distance);
-  return slope / r.restDensity * (r.pressureTerm + wall);
+  const float along = c.gravityX * w.nx + c.gravityY * w.ny + c.gravityZ * w.nz;
+  const float head =
+      v.pressureSolve.pressure ? 0.0f : wallHead(r.pressureTerm, r.restDensity, along, w.distance);
+  return slope / r.restDensity * (r.pressureTerm + head);
 }
 
 }  // namespace spin

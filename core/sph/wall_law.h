@@ -16,13 +16,23 @@ namespace spin {
 /// Distance that quotients by it are held to, spacings: particles that touch the wall, or are pressed into
 /// it.
 inline constexpr float kLeastWallDistance = 0.25f;
-/// The implicit pressure mirrors the flow in solids: they have the particle's pressure (Akinci et al. 2012)
-/// and its velocity with the normal part turned round, so a solid counts twice in the constraint's gradient.
-/// Counted once, the first layer at a wall would carry its column with twice the pressure.
-inline constexpr float kSolveMirror = 2.0f;
 /// No step brings a particle nearer to a solid than this, spacings: fields round edges and corners off by as
 /// much.
 inline constexpr float kClosestToWall = 0.1f;
+
+/// Depth below a particle of the first layer of a solid, and how fast that grows with the particle's distance
+/// from the plane; all in spacings. A particle of the layer that touches sees its own mirror image, which
+/// comes towards it as fast as it goes there; farther off, the first layer lies half a spacing below the
+/// plane.
+struct FirstLayer {
+  float depth, rise;
+};
+SPIN_HD_INLINE FirstLayer firstLayer(float distance) {
+  if (distance < kClosestToWall) return {distance + kClosestToWall, 1.0f};
+  if (distance < 0.75f) return {2.0f * distance, 2.0f};
+  if (distance < 1.5f) return {1.5f + (distance - 0.75f) * (2.0f / 3.0f), 2.0f / 3.0f};
+  return {distance + 0.5f, 1.0f};
+}
 
 /// What a solid half-space counts for at distance s h of its plane: its share of the density, and how much
 /// that loses per support away from the plane.
@@ -30,16 +40,19 @@ struct SolidShare {
   float density = 0.0f, slope = 0.0f;
 };
 
-/// The solid as layers a spacing apart, the first half a spacing below the plane, each smeared evenly: what a
-/// lattice of particles would give there, without its bumps along the plane. The integral over a continuum
-/// has the first layer of fluid, half a spacing above the plane, 3 to 4 % too dense, which pushes it off the
-/// wall and makes a column's pressure by summation err by a tenth. `layer` is the spacing over the support.
+/// The solid as layers a spacing apart, each smeared evenly: what a lattice of particles that mirrors the
+/// flow would give there, without its bumps along the plane. Pressure pushes by the slope, the exact adjoint
+/// of the density, so that a solid takes no energy and gives none, and carries a column with the pressure
+/// that the column has. Two other forms were left: the integral over a continuum has the first layer of fluid
+/// 3 to 4 % too dense, and the pressure of a wall of its own, beside a density that does not follow it, makes
+/// a tank at rest gain energy without end. `layer` is the spacing over the support.
 SPIN_HD_INLINE SolidShare solidShare(float s, float layer) {
   constexpr float kSlope = static_cast<float>(2.0 * kPi * CubicSpline::kNorm);
+  const FirstLayer first = firstLayer(maximum(s, -1.0f) / layer);
   SolidShare sum;
-  for (float at = maximum(s, -1.0f) + 0.5f * layer; at < 1.0f; at += layer) {
+  for (float at = first.depth * layer; at < 1.0f; at += layer) {
     sum.density += layer * CubicSpline::planeIntegral(at);
-    sum.slope += layer * kSlope * at * CubicSpline::shape(maximum(at, -at));
+    sum.slope += first.rise * layer * kSlope * at * CubicSpline::shape(maximum(at, -at));
   }
   return sum;
 }
@@ -57,11 +70,11 @@ struct WallShares {
   }
 };
 
-/// Pressure of the wall, continued hydrostatically from the particle: p_w = max(0, p_i + rho g . (x_w -
-/// x_i)).
-SPIN_HD_INLINE float wallPressure(float pressure, float restDensity, float gravityAlongNormal,
-                                  float distance) {
-  return maximum(pressure - restDensity * gravityAlongNormal * distance, 0.0f);
+/// What the weight of the fluid between particle and wall adds to the particle's pressure in pushing, Pa:
+/// half of rho g . (x_w - x_i), the mean of both. It depends on the distance alone, so it has a potential. A
+/// wall does not pull by it.
+SPIN_HD_INLINE float wallHead(float pressure, float restDensity, float gravityAlongNormal, float distance) {
+  return maximum(-0.5f * restDensity * gravityAlongNormal * distance, -maximum(pressure, 0.0f));
 }
 
 /// Rate at which a no-slip wall takes up the velocity relative to it, 1/s: 2 nu P(s) / (h d), from the
@@ -76,12 +89,6 @@ SPIN_HD_INLINE float wallDragRate(float s, float distance, float kinematicViscos
 /// P over s is 1/2.
 SPIN_HD_INLINE float wallTurbulentRate(float s, float turbulenceTimesSpeed, float support) {
   return 2.0f * turbulenceTimesSpeed * CubicSpline::planeIntegral(s) / support;
-}
-
-/// Divergence by a wall per speed away from it, 1/m: (s P(s) + lambda(s)) / d, from sum V (v_i - v) . grad W
-/// over the half-space with the extrapolated velocity.
-SPIN_HD_INLINE float wallDilation(float s, float distance) {
-  return (maximum(s, 0.0f) * CubicSpline::planeIntegral(s) + CubicSpline::halfSpaceIntegral(s)) / distance;
 }
 
 /// Adds a no-slip wall's part to the velocity gradient (rate `relative`/d along the normal, times s P(s) +
