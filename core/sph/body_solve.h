@@ -25,9 +25,35 @@ struct BodyConstraintKernel {
     });
     const float scale = -kSolveMirror * v.constants.gradientFactor;
     v.excess[i] += sum;
-    v.ax[i] += scale * gradient.x;
-    v.ay[i] += scale * gradient.y;
-    v.az[i] += scale * gradient.z;
+    gradient = {scale * gradient.x, scale * gradient.y, scale * gradient.z};
+    v.ax[i] += gradient.x;
+    v.ay[i] += gradient.y;
+    v.az[i] += gradient.z;
+    b.gift[k] = {gradient.x, gradient.y, gradient.z};
+  }
+};
+
+/// Sizes of the gradients that BodyConstraintKernel left.
+SPIN_HD_INLINE float gradientSize(const BodyGift& g) {
+  return squareRoot(g.x * g.x + g.y * g.y + g.z * g.z);
+}
+struct BodyGradientOf {
+  BodyView b;
+  SPIN_HD double operator()(std::size_t k) const { return static_cast<double>(gradientSize(b.gift[k])); }
+};
+struct AddNumbers {
+  SPIN_HD double operator()(double a, double b) const { return a + b; }
+};
+
+/// A pressure near a free body moves that, which changes the rates of all particles near it: for a light body
+/// by more than the pressure moves its own particle. The sum of a row of that matrix, V0 |g_i| sum |g_k|
+/// times the body's mobility, joins the stiffness, so that the iterates stay bounded at any density.
+struct BodyMobilityKernel {
+  FlowView v;
+  BodyView b;
+  float rows;  ///< V0 sum |g_k| times the mobility of the most mobile body, m5/(m3 kg)
+  SPIN_HD void operator()(std::size_t k) const {
+    v.pressureSolve.compliance[b.list[k]] += rows * gradientSize(b.gift[k]);
   }
 };
 

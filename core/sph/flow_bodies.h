@@ -24,6 +24,8 @@ class FlowBodies {
     m_origin = config.domainMin;
     m_volume = config.spacing * config.spacing * config.spacing;
     m_gravity = config.gravity;
+    for (const RigidBodyConfig& body : m_world.bodies())
+      if (!body.kinematic) m_mobility = std::max(m_mobility, mobilityOf(body));
     const double h = config.support();
     m_view.viscousFactor = static_cast<float>(m_volume * CubicSpline::kNorm / (h * h * h * h * h));
     BodyPoints points = makeBodyPoints(config);
@@ -103,7 +105,12 @@ class FlowBodies {
   /// Adds to the sums that the implicit pressure is solved from.
   void constraint(Backend& backend, const FlowView& flow) {
     if (flow.bodyRate) backend.forEach("bodies", flow.count, ClearBodyRateKernel{flow});
-    if (m_listed > 0) backend.forEach("bodies", m_listed, BodyConstraintKernel{flow, m_view});
+    if (m_listed == 0) return;
+    backend.forEach("bodies", m_listed, BodyConstraintKernel{flow, m_view});
+    if (m_mobility == 0.0) return;
+    const double sum = backend.reduce("bodies", m_listed, 0.0, BodyGradientOf{m_view}, AddNumbers{});
+    backend.forEach("bodies", m_listed,
+                    BodyMobilityKernel{flow, m_view, static_cast<float>(m_volume * sum * m_mobility)});
   }
   /// Before a solve of `seconds`: free bodies take the velocities that all known forces give them.
   void beginSolve(Backend& backend, const FlowView& flow, double seconds) {
@@ -147,6 +154,14 @@ class FlowBodies {
  private:
   template <class T>
   using Array = typename Backend::template Array<T>;
+
+  /// The most that a unit of force on the surface accelerates the surface by, 1/kg: the trace bounds the
+  /// largest moment of the inverse inertia.
+  static double mobilityOf(const RigidBodyConfig& body) {
+    const SymmetricMatrix& inverse = body.shape->inverseInertia;
+    const double radius = body.shape->radius;
+    return 1.0 / body.mass() + radius * radius * (inverse.xx + inverse.yy + inverse.zz) / body.density;
+  }
 
   /// Impulses by the loads of boundary particles over `seconds`.
   std::vector<RigidImpulse> summedLoads(Backend& backend, double seconds) {
@@ -235,6 +250,7 @@ class FlowBodies {
   Vec3d m_origin{};
   Vec3d m_gravity{};
   double m_volume = 0.0;
+  double m_mobility = 0.0;          ///< of the most mobile body that is not kinematic, 1/kg; 0 without one
   std::vector<RigidState> m_guess;  ///< while pressure is solved for
   std::vector<bool> m_free;         ///< bodies that follow it
   BodyView m_view;

@@ -300,12 +300,12 @@ struct IntegrateKernel {
   SPIN_HD void operator()(std::size_t i) const {
     const FlowConstants& c = v.constants;
     PairRecord& r = v.record[i];
-    const float wallRate = v.rate && (v.extra[i].flags & kNearWall) ? wallRate(v, i) : 0.0f;
+    const float fromWalls = v.rate && (v.extra[i].flags & kNearWall) ? wallRate(v, i) : 0.0f;
     const PairVector<float> velocity = newVelocity(i);
     r.vx = velocity.x;
     r.vy = velocity.y;
     r.vz = velocity.z;
-    if (v.rate) v.excess[i] += c.timeStep * (v.rate[i] + wallRate);
+    if (v.rate) v.excess[i] += c.timeStep * (v.rate[i] + fromWalls);
     ParticleExtra& extra = v.extra[i];
     advance(v.x[i], extra.restX, c.timeStep * velocity.x, c.unitsPerMetre, v.grid.periodX);
     advance(v.y[i], extra.restY, c.timeStep * velocity.y, c.unitsPerMetre, v.grid.periodY);

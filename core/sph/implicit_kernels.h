@@ -114,8 +114,7 @@ struct FlowLimitsOf {
     float fastest = 0.0f;
     if ((v.extra[i].flags & kNearWall) == 0) return fastest;
     const PairRecord& r = v.record[i];
-    const PairVector<float> p = metresOf(v, i);
-    v.walls.near(p.x, p.y, p.z, v.constants.support, [&](const WallContact& w) {
+    v.nearWalls(i, [&](const WallContact& w) {
       const float away = (r.vx - w.vx) * w.nx + (r.vy - w.vy) * w.ny + (r.vz - w.vz) * w.nz;
       fastest = maximum(fastest, -away);
     });
@@ -163,7 +162,7 @@ struct PredictKernel {
     const float kick = step.kick;
     PairRecord& r = v.record[i];
     const bool near = (v.extra[i].flags & kNearWall) != 0;
-    const float wallRate = v.rate && near ? wallRate(v, i) : 0.0f;
+    const float fromWalls = v.rate && near ? wallRate(v, i) : 0.0f;
     PairVector<float> velocity{r.vx + kick * (v.ax[i] + c.gravityX), r.vy + kick * (v.ay[i] + c.gravityY),
                                r.vz + kick * (v.az[i] + c.gravityZ)};
     step.addWind(r, velocity);
@@ -176,7 +175,7 @@ struct PredictKernel {
     r.vx = velocity.x;
     r.vy = velocity.y;
     r.vz = velocity.z;
-    if (v.rate) v.excess[i] += c.timeStep * (v.rate[i] + wallRate);
+    if (v.rate) v.excess[i] += c.timeStep * (v.rate[i] + fromWalls);
     if (!solvesPressure) return;
     v.pressureSolve.pressure[i] = r.pressureTerm;
     v.pressureSolve.latest[i] = r.pressureTerm;

@@ -99,7 +99,7 @@ SPIN_HD_INLINE float wallPushOf(const FlowView& v, std::size_t i, const WallCont
   const PairRecord& r = v.record[i];
   const float along = c.gravityX * w.nx + c.gravityY * w.ny + c.gravityZ * w.nz;
   const float head =
-      v.pressureSolve.pressure ? 0.0f : wallHead(r.pressureTerm, r.restDensity, along, w.distance);
+      v.pressureSolve.pressure ? 0.0f : wallHead(r.pressureTerm, r.restDensity, along, w.distance, c.spacing);
   return slope / r.restDensity * (r.pressureTerm + head);
 }
 

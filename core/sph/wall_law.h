@@ -70,11 +70,13 @@ struct WallShares {
   }
 };
 
-/// What the weight of the fluid between particle and wall adds to the particle's pressure in pushing, Pa:
-/// half of rho g . (x_w - x_i), the mean of both. It depends on the distance alone, so it has a potential. A
-/// wall does not pull by it.
-SPIN_HD_INLINE float wallHead(float pressure, float restDensity, float gravityAlongNormal, float distance) {
-  return maximum(-0.5f * restDensity * gravityAlongNormal * distance, -maximum(pressure, 0.0f));
+/// What weight adds to the particle's pressure in pushing, Pa: half of rho g times the depth of the solid's
+/// first layer below it, the mean of the pressures of both. It depends on the distance alone, so it has a
+/// potential. A wall does not pull by it.
+SPIN_HD_INLINE float wallHead(float pressure, float restDensity, float gravityAlongNormal, float distance,
+                              float spacing) {
+  const float depth = firstLayer(distance / spacing).depth * spacing;
+  return maximum(-0.5f * restDensity * gravityAlongNormal * depth, -maximum(pressure, 0.0f));
 }
 
 /// Rate at which a no-slip wall takes up the velocity relative to it, 1/s: 2 nu P(s) / (h d), from the

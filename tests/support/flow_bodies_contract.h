@@ -146,6 +146,24 @@ TYPED_TEST_P(FlowBodiesContract, MomentumOfFlowAndBodiesChangesByTheOuterImpulse
   }
 }
 
+TYPED_TEST_P(FlowBodiesContract, TheLightestBodiesStayWhereTheyFloat) {
+  for (const double density : {50.0, 5.0, 1.0}) {
+    FlowConfig c = testing::boxConfig(16, 16, 40);
+    c.pressure = PressureMode::Implicit;
+    const double d = c.spacing;
+    c.bodies = {this->body(testing::cubeMesh(4 * d), density, {8 * d, 8 * d, 11 * d})};
+    const auto solver = this->start(c, testing::lattice(c, 16, 16, 8));
+    for (int k = 0; k < 10; ++k) {
+      this->runFor(*solver, 0.05);
+      const RigidState& s = solver->bodies()[0];
+      // It falls by a spacing on to water that is eight deep; what is as light as air bounces.
+      ASSERT_GT(s.position.z, 8 * d) << density;
+      ASSERT_LT(s.position.z, density < 5.0 ? 20 * d : 14 * d) << density;
+    }
+    EXPECT_EQ(solver->count(), 16u * 16u * 8u);
+  }
+}
+
 TYPED_TEST_P(FlowBodiesContract, ABodyAHundredTimesDenserThanSnowSinksAndStaysStable) {
   FlowConfig c = this->snowBox(16, 16, 40);
   const double d = c.spacing;
@@ -289,6 +307,7 @@ TYPED_TEST_P(FlowBodiesContract, StatesAreGivenBackAndSet) {
 
 REGISTER_TYPED_TEST_SUITE_P(FlowBodiesContract, ABoxFloatsAtArchimedesDepth,
                             MomentumOfFlowAndBodiesChangesByTheOuterImpulseOnly,
+                            TheLightestBodiesStayWhereTheyFloat,
                             ABodyAHundredTimesDenserThanSnowSinksAndStaysStable,
                             ABodyLighterThanSnowStaysOnTop, ADamBreakCarriesABodyAway,
                             APaddleFollowsItsMotionAndPushesTheFlow, SprayAndJetsDoNotEnterBodies,
