@@ -21,7 +21,8 @@ namespace spin {
 ///   emitted = deposited + shed + aloft + left + sampling residual (+ later terms).
 /// Every term is counted where it happens; none is computed as the remainder.
 struct BudgetTerm {
-  std::string name;  ///< "emitted", "fallen_before", "deposited", "shed", "aloft", "left", "sampling_residual"
+  std::string
+      name;  ///< "emitted", "fallen_before", "deposited", "shed", "aloft", "left", "sampling_residual"
   bool source = false;
   double kilograms = 0.0;
 };

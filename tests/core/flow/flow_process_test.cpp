@@ -211,8 +211,8 @@ TEST(FlowProcess, FramesCarryAttributesFiguresAndStages) {
 TEST(FlowProcess, SnowComesToRestWhereWaterRunsOn) {
   const auto run = [](FlowMaterialKind material) {
     FlowTestScene scene;
-    // 17 degrees, less than the friction of snow.
-    scene.land(41, 21, 0.5, [](double x, double) { return 6.0 - 0.3 * x; });
+    // 19 degrees, less than the friction of snow and of the ground.
+    scene.land(41, 21, 0.5, [](double x, double) { return 8.0 - 0.35 * x; });
     scene.settings.spacing = 0.2;
     scene.settings.vegetation = 0.5;
     AvalancheReleaseNode release = test::squareRelease(3.0, 6.0, 0.8);
