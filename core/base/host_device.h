@@ -17,7 +17,15 @@
 #define SPIN_HD_INLINE inline __attribute__((always_inline))
 #endif
 
-// The same for a lambda, after its parameters.
+// On the processor such a function that is never inlined, a copy for each file: what stands behind a hot loop
+// keeps its registers out of it.
+#if defined(__CUDACC__)
+#define SPIN_HD_APART SPIN_HD_INLINE
+#else
+#define SPIN_HD_APART static inline __attribute__((noinline))
+#endif
+
+// Always inlined, for a lambda, after its parameters.
 #if defined(__CUDACC__)
 #define SPIN_INLINE_LAMBDA
 #else

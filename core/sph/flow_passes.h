@@ -113,7 +113,7 @@ SPIN_HD_INLINE float correctAtWalls(const FlowView& v, std::size_t i, float* g) 
 }
 
 /// Shear rate and, from it, the viscosity of particle i, and of the wall near it.
-SPIN_HD_INLINE void finishShear(const FlowView& v, std::size_t i, GradientSums<float>& sums) {
+SPIN_HD_APART void finishShear(const FlowView& v, std::size_t i, GradientSums<float>& sums) {
   const FlowConstants& c = v.constants;
   // V0 norm/h^3 = densityFactor scales the matrix, V0 norm/h^4 the gradient.
   for (float& value : sums.g) value *= c.gradientFactor;
