@@ -37,6 +37,10 @@ Result<Health> worstOf(const FlowConfig& config, const std::vector<FlowParticle>
   Health worst = healthOf(**solver, config);
   for (int k = 0; k < kMoments; ++k) {
     if (const Result<int> steps = runFlow(**solver, seconds / kMoments); !steps) return steps.error();
+    // What is thrown out takes its energy along.
+    if ((*solver)->samples().size() < particles.size())
+      return Error{ErrorKind::Failed, "The step is too long", "state equation", "particles left the domain",
+                   "Take a shorter one"};
     const Health now = healthOf(**solver, config);
     worst = {worse(worst.energy, now.energy), worse(worst.compression, now.compression)};
   }
