@@ -29,7 +29,7 @@ FlowConfig columnConfig(double spacing, double height) {
   m.rheology.viscosity = 1.0f;
   m.rheology.frictionTangent = static_cast<float>(kFriction);
   m.rheology.regularisation = 1000.0f;
-  m.rheology.most = 5e4f;
+  m.rheology.most = 2e3f;
   c.viscosity = ViscosityMode::Auto;
   // A quarter of the column between two planes of symmetry.
   // The bed is as rough as the grains: those that touch it rest.
