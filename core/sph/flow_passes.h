@@ -74,15 +74,17 @@ SPIN_HD_INLINE void correctGradient(const float* m, float* g) {
   }
 }
 
-/// Adds what walls contribute to particle i's gradient sums, which are scaled already.
+/// Adds what no-slip walls contribute to particle i's gradient sums, which are scaled already. Of what slides
+/// along it a wall knows no gradient: there the sums are left one-sided as at a free surface, which the
+/// correction makes up for.
 SPIN_HD_INLINE void addWallGradients(const FlowView& v, std::size_t i, GradientSums<float>& sums) {
   const FlowConstants& c = v.constants;
   v.nearWalls(i, [&](const WallContact& wall) SPIN_INLINE_LAMBDA {
+    if (v.walls.surface[wall.surface].friction != WallFriction::NoSlip) return;
     const PairRecord& r = v.record[i];
     const float distance = maximum(wall.distance, kLeastWallDistance * c.spacing);
     addWallGradient(wall, wall.distance / c.support, distance,
-                    {r.vx - wall.vx, r.vy - wall.vy, r.vz - wall.vz},
-                    v.walls.surface[wall.surface].friction == WallFriction::NoSlip, sums);
+                    {r.vx - wall.vx, r.vy - wall.vy, r.vz - wall.vz}, sums);
   });
 }
 

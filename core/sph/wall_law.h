@@ -95,12 +95,9 @@ SPIN_HD_INLINE float wallTurbulentRate(float s, float turbulenceTimesSpeed, floa
 
 /// Adds a no-slip wall's part to the velocity gradient (rate `relative`/d along the normal, times s P(s) +
 /// lambda(s)) and to the correction matrix (the same along the normal, lambda along the plane). Both with
-/// their factors, in 1/s and 1. Of what slides along it a wall knows no gradient: then both are left as they
-/// are, one-sided as at a free surface, which the correction makes up for.
+/// their factors, in 1/s and 1.
 SPIN_HD_INLINE void addWallGradient(const WallContact& wall, float s, float distance,
-                                    const PairVector<float>& relative, bool sticks,
-                                    GradientSums<float>& sums) {
-  if (!sticks) return;
+                                    const PairVector<float>& relative, GradientSums<float>& sums) {
   const float lambda = CubicSpline::halfSpaceIntegral(s);
   const float normal = maximum(s, 0.0f) * CubicSpline::planeIntegral(s) + lambda;
   const float n[3] = {wall.nx, wall.ny, wall.nz}, v[3] = {relative.x, relative.y, relative.z};

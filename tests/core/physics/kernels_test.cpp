@@ -115,6 +115,16 @@ TEST(HalfSpaceTest, SlopeOfTheHalfSpaceIntegralIsThePlaneIntegral) {
   }
 }
 
+TEST(HalfSpaceTest, SlopeOfTheMomentIsTheHalfSpaceIntegral) {
+  constexpr double e = 1e-3;
+  for (double s = 0.05; s < 1.0; s += 0.05) {
+    const double slope =
+        (CubicSpline::halfSpaceMoment(s + e) - CubicSpline::halfSpaceMoment(s - e)) / (2 * e);
+    EXPECT_NEAR(slope, -CubicSpline::halfSpaceIntegral(s), 1e-5) << s;
+  }
+  EXPECT_EQ(CubicSpline::halfSpaceMoment(1.0), 0.0);
+}
+
 TEST(StateEquationTest, IsLinearInTheExcess) {
   EXPECT_DOUBLE_EQ(linearPressure(0.01, 1000.0, 20.0), 4000.0);
   EXPECT_EQ(clampTension(-3.0, 0.0), 0.0);
