@@ -1470,6 +1470,70 @@
         <source>Density of the snow that lies when the film begins.</source>
         <translation>Hustota sněhu, který leží na začátku filmu.</translation>
     </message>
+    <message>
+        <source>Replaces old snow</source>
+        <translation>Nahrazuje starý sníh</translation>
+    </message>
+    <message>
+        <source>Lies on old snow</source>
+        <translation>Leží na starém sněhu</translation>
+    </message>
+    <message>
+        <source>Where painted</source>
+        <translation>Kde je namalováno</translation>
+    </message>
+    <message>
+        <source>Whether painted snow replaces the old snow of the snowfall or lies on top of it.</source>
+        <translation>Zda malovaný sníh nahradí starý sníh ze sněžení, nebo leží na něm.</translation>
+    </message>
+    <message>
+        <source>Density of the painted snow when the film begins.</source>
+        <translation>Hustota namalovaného sněhu na začátku filmu.</translation>
+    </message>
+    <message>
+        <source>GeoTIFF of the terrain&apos;s size with depths in m; written when the scene is saved.</source>
+        <translation>GeoTIFF velikosti terénu s výškami sněhu v m; zapisuje se při uložení scény.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Síla</translation>
+    </message>
+    <message>
+        <source>Factor on the painted share of the falling snow that is taken away.</source>
+        <translation>Násobitel namalovaného podílu padajícího sněhu, který se odklízí.</translation>
+    </message>
+    <message>
+        <source>Film time at which clearing begins.</source>
+        <translation>Čas filmu, kdy odklízení začíná.</translation>
+    </message>
+    <message>
+        <source>Film time at which clearing ends.</source>
+        <translation>Čas filmu, kdy odklízení končí.</translation>
+    </message>
+    <message>
+        <source>GeoTIFF of the terrain&apos;s size with shares from 0 to 1; written when the scene is saved.</source>
+        <translation>GeoTIFF velikosti terénu s podíly od 0 do 1; zapisuje se při uložení scény.</translation>
+    </message>
+    <message>
+        <source>Snow depth</source>
+        <translation>Výška sněhu</translation>
+    </message>
+    <message>
+        <source>Painted snow that lies when the film begins.</source>
+        <translation>Malovaný sníh, který leží na začátku filmu.</translation>
+    </message>
+    <message>
+        <source>Keep clear</source>
+        <translation>Udržovat bez sněhu</translation>
+    </message>
+    <message>
+        <source>Painted ground where falling snow is taken away: ploughed roads, heated yards.</source>
+        <translation>Malovaná plocha, ze které se padající sníh odklízí: protažené silnice, vyhřívané dvory.</translation>
+    </message>
+    <message>
+        <source>Ground type</source>
+        <translation>Typ povrchu</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>

@@ -1470,6 +1470,70 @@
         <source>Density of the snow that lies when the film begins.</source>
         <translation>影片开始时积雪的密度。</translation>
     </message>
+    <message>
+        <source>Replaces old snow</source>
+        <translation>替换旧雪</translation>
+    </message>
+    <message>
+        <source>Lies on old snow</source>
+        <translation>覆盖在旧雪上</translation>
+    </message>
+    <message>
+        <source>Where painted</source>
+        <translation>绘制处</translation>
+    </message>
+    <message>
+        <source>Whether painted snow replaces the old snow of the snowfall or lies on top of it.</source>
+        <translation>绘制的雪是替换降雪节点的旧雪，还是叠加在旧雪之上。</translation>
+    </message>
+    <message>
+        <source>Density of the painted snow when the film begins.</source>
+        <translation>影片开始时绘制的雪的密度。</translation>
+    </message>
+    <message>
+        <source>GeoTIFF of the terrain&apos;s size with depths in m; written when the scene is saved.</source>
+        <translation>与地形同尺寸的 GeoTIFF，单位为米的雪深；保存场景时写入。</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>Factor on the painted share of the falling snow that is taken away.</source>
+        <translation>对绘制的清除比例（占降雪的份额）的乘数。</translation>
+    </message>
+    <message>
+        <source>Film time at which clearing begins.</source>
+        <translation>开始清除的影片时间。</translation>
+    </message>
+    <message>
+        <source>Film time at which clearing ends.</source>
+        <translation>结束清除的影片时间。</translation>
+    </message>
+    <message>
+        <source>GeoTIFF of the terrain&apos;s size with shares from 0 to 1; written when the scene is saved.</source>
+        <translation>与地形同尺寸的 GeoTIFF，比例为 0 到 1；保存场景时写入。</translation>
+    </message>
+    <message>
+        <source>Snow depth</source>
+        <translation>雪深</translation>
+    </message>
+    <message>
+        <source>Painted snow that lies when the film begins.</source>
+        <translation>影片开始时已有的、绘制的雪。</translation>
+    </message>
+    <message>
+        <source>Keep clear</source>
+        <translation>保持无雪</translation>
+    </message>
+    <message>
+        <source>Painted ground where falling snow is taken away: ploughed roads, heated yards.</source>
+        <translation>绘制的、清除降雪的地面：犁过的道路、加热的院子。</translation>
+    </message>
+    <message>
+        <source>Ground type</source>
+        <translation>地面类型</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>

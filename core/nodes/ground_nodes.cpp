@@ -51,6 +51,44 @@ constexpr PropertyRow kTemperatureRows[] = {
         SPIN_TR("GeoTIFF of the terrain's size with temperatures in K; written when the scene is saved."))
         .path(),
 };
+constexpr Choice kDepthUses[] = {
+    {"replace", SPIN_TR("Replaces old snow")},
+    {"add", SPIN_TR("Lies on old snow")},
+};
+constexpr PropertyRow kDepthRows[] = {
+    property<&SnowDepthLayerNode::use>(
+        "use", SPIN_TR("Where painted"),
+        SPIN_TR("Whether painted snow replaces the old snow of the snowfall or lies on top of it."))
+        .oneOf(kDepthUses),
+    property<&SnowDepthLayerNode::density>("density_kg_m3", SPIN_TR("Density"),
+                                           SPIN_TR("Density of the painted snow when the film begins."))
+        .in(Unit::KilogramPerCubicMetre)
+        .range(10, 917, 10),
+    property<&SnowDepthLayerNode::source>(
+        "source", SPIN_TR("Painted file"),
+        SPIN_TR("GeoTIFF of the terrain's size with depths in m; written when the scene is saved."))
+        .path(),
+};
+constexpr PropertyRow kClearRows[] = {
+    property<&KeepClearLayerNode::strength>(
+        "strength", SPIN_TR("Strength"),
+        SPIN_TR("Factor on the painted share of the falling snow that is taken away."))
+        .in(Unit::Factor)
+        .range(0, 1, 0.05)
+        .animated(),
+    property<&KeepClearLayerNode::start>("start_s", SPIN_TR("Start"),
+                                         SPIN_TR("Film time at which clearing begins."))
+        .in(Unit::Second)
+        .range(0, 1e6, 1),
+    property<&KeepClearLayerNode::stop>("stop_s", SPIN_TR("Stop"),
+                                        SPIN_TR("Film time at which clearing ends."))
+        .in(Unit::Second)
+        .range(0, 1e6, 1),
+    property<&KeepClearLayerNode::source>(
+        "source", SPIN_TR("Painted file"),
+        SPIN_TR("GeoTIFF of the terrain's size with shares from 0 to 1; written when the scene is saved."))
+        .path(),
+};
 
 }  // namespace
 
@@ -59,5 +97,12 @@ constinit const NodeType kGroundTypeLayerType = nodeType<GroundTypeLayerNode>(
 constinit const NodeType kGroundTemperatureLayerType = nodeType<GroundTemperatureLayerNode>(
     "ground_temperature", SPIN_TR("Ground temperature"), SPIN_TR("Painted temperature of the ground."), true,
     kTemperatureRows);
+constinit const NodeType kSnowDepthLayerType =
+    nodeType<SnowDepthLayerNode>("snow_depth", SPIN_TR("Snow depth"),
+                                 SPIN_TR("Painted snow that lies when the film begins."), true, kDepthRows);
+constinit const NodeType kKeepClearLayerType = nodeType<KeepClearLayerNode>(
+    "keep_clear", SPIN_TR("Keep clear"),
+    SPIN_TR("Painted ground where falling snow is taken away: ploughed roads, heated yards."), false,
+    kClearRows);
 
 }  // namespace spin

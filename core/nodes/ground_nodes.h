@@ -34,4 +34,26 @@ struct GroundTemperatureLayerNode : NodeData {
 };
 extern const NodeType kGroundTemperatureLayerType;
 
+/// What painted snow depth does to the old snow of the snowfall node where it is painted.
+enum class SnowDepthUse : std::uint8_t { Replace, Add };
+
+/// Snow that lies when the film begins, painted over the terrain (float raster, m of depth, vertical; NaN =
+/// not painted).
+struct SnowDepthLayerNode : NodeData {
+  SnowDepthUse use = SnowDepthUse::Replace;
+  double density = 250.0;  ///< kg/m3, of the painted snow
+  std::string source;      ///< float GeoTIFF beside the scene; empty = nothing painted
+};
+extern const NodeType kSnowDepthLayerType;
+
+/// Ground that is kept clear (ploughed roads, heated yards): painted share 0..1 of what falls that is taken
+/// away (float raster; 0 = not painted).
+struct KeepClearLayerNode : NodeData {
+  double strength = 1.0;  ///< factor on the painted share
+  double start = 0.0;     ///< s of film
+  double stop = 1e6;      ///< s of film
+  std::string source;     ///< float GeoTIFF beside the scene; empty = nothing painted
+};
+extern const NodeType kKeepClearLayerType;
+
 }  // namespace spin

@@ -7,6 +7,7 @@
 #include "core/nodes/camera_node.h"
 #include "core/nodes/flow_nodes.h"
 #include "core/nodes/ground_nodes.h"
+#include "core/nodes/painted_kinds.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
 #include "core/nodes/weather_nodes.h"
@@ -14,11 +15,12 @@
 namespace spin {
 
 std::span<const NodeType* const> nodeTypes() {
-  static constexpr std::array<const NodeType*, 15> kTypes{
-      &kTerrainType,  &kModelType,     &kGroundTypeLayerType,  &kGroundTemperatureLayerType,
-      &kWeatherType,  &kSnowfallType,  &kAvalancheReleaseType, &kWaterSourceType,
-      &kFlowSinkType, &kRigidBodyType, &kFlowMaterialType,     &kFlowSettingsType,
-      &kCameraType,   &kRenderType,    &kSimulationType};
+  static constexpr std::array<const NodeType*, 17> kTypes{
+      &kTerrainType,          &kModelType,          &kGroundTypeLayerType, &kGroundTemperatureLayerType,
+      &kSnowDepthLayerType,   &kKeepClearLayerType, &kWeatherType,         &kSnowfallType,
+      &kAvalancheReleaseType, &kWaterSourceType,    &kFlowSinkType,        &kRigidBodyType,
+      &kFlowMaterialType,     &kFlowSettingsType,   &kCameraType,          &kRenderType,
+      &kSimulationType};
   return kTypes;
 }
 
@@ -29,8 +31,7 @@ const NodeType* findNodeType(std::string_view id) {
 }
 
 bool isPaintedType(const NodeType& type) {
-  return &type == &kGroundTypeLayerType || &type == &kGroundTemperatureLayerType ||
-         &type == &kAvalancheReleaseType;
+  return paintedKind(type) != nullptr;
 }
 
 }  // namespace spin

@@ -42,6 +42,19 @@ void thermometer(QPainter& p) {
   p.setBrush(QColor(0xc8, 0x3a, 0x2c));
   p.drawEllipse(QPointF(8, 12.5), 2.6, 2.6);
 }
+void depthStake(QPainter& p) {
+  polygon(p, QColor(0xcf, 0xe0, 0xee), {{1, 14.5}, {1, 10.5}, {5, 8}, {11, 9}, {15, 7.5}, {15, 14.5}});
+  for (int band = 0; band < 4; ++band) {
+    p.setBrush(band % 2 ? QColor(Qt::white) : QColor(0xc8, 0x3a, 0x2c));
+    p.drawRect(QRectF(7, 1 + 2.5 * band, 2, 2.5));
+  }
+}
+void shovel(QPainter& p) {
+  p.setPen(QPen(QColor(0x8a, 0x5f, 0x38), 1.6));
+  p.drawLine(QPointF(13.5, 2), QPointF(7.5, 8.5));
+  p.setPen(Qt::NoPen);
+  polygon(p, QColor(0x8f, 0xa3, 0xb5), {{5.2, 6.4}, {9.8, 10.6}, {6, 14.4}, {1.6, 13.8}, {1.4, 10}});
+}
 void cloud(QPainter& p) {
   p.setBrush(QColor(0x9f, 0xb4, 0xc8));
   p.drawEllipse(QPointF(5.5, 9), 4, 3);
@@ -123,6 +136,7 @@ Draw drawingOf(const QString& type) {
   static const QHash<QString, Draw> kDrawings{
       {QStringLiteral("terrain"), mountain},        {QStringLiteral("model"), house},
       {QStringLiteral("ground_type"), fourColours}, {QStringLiteral("ground_temperature"), thermometer},
+      {QStringLiteral("snow_depth"), depthStake},   {QStringLiteral("keep_clear"), shovel},
       {QStringLiteral("weather"), cloud},           {QStringLiteral("snowfall"), flake},
       {QStringLiteral("camera"), camera},           {QStringLiteral("render"), picture},
       {QStringLiteral("simulation"), gear},         {QStringLiteral("avalanche_release"), slab},

@@ -44,9 +44,10 @@ std::vector<Hash128> keysOf(const SceneSnapshot& scene) {
   return frameKeys(scene, Pipeline::compile(scene), "cpu", 3);
 }
 
-/// Ground temperatures enter with the melting of snow: no process of this pipeline reads them.
+/// Painted layers enter with the balance of the snow cover: no process of this pipeline reads them yet.
 bool isReadByNothing(const SceneNode& node) {
-  return node.type == &kGroundTemperatureLayerType;
+  return node.type == &kGroundTemperatureLayerType || node.type == &kSnowDepthLayerType ||
+         node.type == &kKeepClearLayerType;
 }
 
 TEST(FrameKeys, ChangeWithEveryPropertyThatAffectsTheSimulationAndNoOther) {
