@@ -47,6 +47,24 @@ struct ImportOptions {
   double unitScale = 0.0;    ///< m per unit; 0 = as the format says
 };
 
+/// How a painted layer stands in a file; the path's ending says whether that is a PNG or a GeoTIFF.
+struct LayerFormat {
+  std::string name;  ///< of the values, for those formats that keep it: "ground temperature"
+  std::string unit;  ///< "K"; empty for plain numbers
+  /// A float layer as a grey PNG: 8 or 16 bits, black for `low` and less and for what is not painted, white
+  /// for `high` and more.
+  int bits = 8;
+  double low = 0.0, high = 1.0;
+};
+
+/// A raster file read as plain numbers, to be laid over the terrain.
+struct RasterImport {
+  Raster<float> values;  ///< NaN where the file has no data; without georeference its cells are 1 m
+  GeoReference geo;
+  bool georeferenced = false;
+  int bits = 0;  ///< 8 or 16: whole numbers from 0 to 2^bits - 1; 0: real numbers
+};
+
 /// Reads foreign files. plugins/host implements it by a helper process with memory and time limits, so that a
 /// crash in a library is an Error; tests may use their own.
 class AssetReader {
@@ -58,9 +76,11 @@ class AssetReader {
                                         const CancelToken& cancel) = 0;
   /// 8-bit single-channel PNG or float GeoTIFF as a painted layer, north row first in the file.
   virtual Result<PaintedLayer> readLayer(const std::string& path, const CancelToken& cancel) = 0;
-  /// Writes a painted layer (ground types as 8-bit PNG, temperatures as float GeoTIFF with the terrain's
-  /// georeference).
-  virtual Status writeLayer(const PaintedLayer& layer, const TerrainData& terrain,
+  /// Any raster with one band of numbers (PNG, GeoTIFF, ESRI ASCII, XYZ).
+  virtual Result<RasterImport> readRaster(const std::string& path, const CancelToken& cancel) = 0;
+  /// Writes a painted layer as PNG or as GeoTIFF with the terrain's georeference: numbers of types as they
+  /// are, 8-bit; measures as floats in a GeoTIFF, and as the format says in a PNG.
+  virtual Status writeLayer(const PaintedLayer& layer, const LayerFormat& format, const TerrainData& terrain,
                             const std::string& path) = 0;
 };
 
@@ -100,7 +120,8 @@ class AssetLibrary {
 ImportOptions importOptionsOf(const SceneNode& node);
 /// The path in the node's `source`; empty where the type has none.
 std::string sourceOf(const SceneNode& node);
-/// Checks a layer against its node: kind, ground type numbers, plausible temperatures (100 to 400 K or NaN).
+/// Checks a layer against its node: kind and range of values (PaintedKind); blank cells and NaN are always
+/// good.
 Status checkLayer(const SceneNode& node, const PaintedLayer& layer);
 
 /// Loads the painted layers that the nodes name into scene.nodes()[..].painted; problems become issues.

@@ -11,6 +11,7 @@
 #include "core/nodes/flow_nodes.h"
 #include "core/nodes/ground_nodes.h"
 #include "core/nodes/node_registry.h"
+#include "core/nodes/painted_kinds.h"
 #include "core/scene/asset_file.h"
 #include "core/scene/collect_files.h"
 
@@ -19,28 +20,67 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr float kColdest = 100.0f, kHottest = 400.0f;
+/// As it stands in files, where the number is not converted.
+std::string siUnit(Unit unit) {
+  return unit == Unit::Kelvin ? "K" : unit == Unit::Metre ? "m" : std::string();
+}
 
 Status unusable(const SceneNode& node, std::string why) {
   return badInput("The painted layer is unusable", node.id, std::move(why),
                   "Choose another file or paint anew");
 }
 
-template <class T, class Good>
-bool everyCell(const TiledRaster<T>& layer, const Good& good, T& bad) {
+/// Every cell is blank or holds what the kind can; the first other value goes to `bad`.
+template <class T>
+bool everyCellGood(const TiledRaster<T>& layer, const PaintedKind& kind, T& bad) {
+  const auto good = [&](T v) {
+    return std::isnan(static_cast<double>(v)) || static_cast<float>(v) == kind.blank ||
+           kind.holds(static_cast<double>(v));
+  };
   for (int j = 0; j < layer.height(); ++j)
     for (int i = 0; i < layer.width(); ++i)
       if (bad = layer.at(i, j); !good(bad)) return false;
   return true;
 }
 
+Status checkNumbers(const SceneNode& node, const PaintedKind& kind, const TiledRaster<std::uint8_t>& layer) {
+  std::uint8_t bad = 0;
+  if (everyCellGood(layer, kind, bad)) return {};
+  if (node.as<GroundTypeLayerNode>())
+    return unusable(node, fmt::format("{} is the number of no ground type", bad));
+  return unusable(node, fmt::format("{} is neither {} (released) nor {} (not painted)", bad, kReleasePainted,
+                                    kReleaseUnpainted));
+}
+
+Status checkReals(const SceneNode& node, const PaintedKind& kind, const TiledRaster<float>& layer) {
+  float bad = 0.0f;
+  if (everyCellGood(layer, kind, bad)) return {};
+  return unusable(node, fmt::format("{} {} is no {}: that lies between {} and {}", bad, siUnit(kind.unit),
+                                    kind.name, kind.least, kind.most));
+}
+
+/// The layer as one of its kind: files say NaN for what is not painted, and a layer whose tiles are mostly
+/// blank shares them.
+PaintedLayer ofKind(const PaintedKind& kind, PaintedLayer layer) {
+  const auto* reals = std::get_if<TiledRaster<float>>(&layer);
+  if (!reals || std::isnan(kind.blank)) return layer;
+  TiledRaster<float> made(reals->width(), reals->height(), kind.blank);
+  for (int j = 0; j < made.height(); ++j)
+    for (int i = 0; i < made.width(); ++i)
+      if (const float v = reals->at(i, j); !std::isnan(v)) made.set(i, j, v);
+  return made;
+}
+
 /// Writes through a temporary file of the same ending in the same folder.
-Status writeSafely(AssetReader& reader, const PaintedLayer& layer, const TerrainData& terrain,
+Status writeSafely(AssetReader& reader, const SceneNode& node, const TerrainData& terrain,
                    const fs::path& path) {
   const fs::path temporary =
       path.parent_path() / fmt::format(".{}.{}{}", path.stem().string(), getpid(), path.extension().string());
   std::error_code code;
-  Status status = reader.writeLayer(layer, terrain, temporary.string());
+  const PaintedKind* kind = paintedKind(*node.type);
+  LayerFormat format;
+  if (kind) format.name = kind->name, format.unit = siUnit(kind->unit);
+  Status status = reader.writeLayer(node.painted, format, terrain, temporary.string());
   if (status) fs::rename(temporary, path, code);
   if (status && code)
     status = Error{ErrorKind::Failed, "The painted layer could not be saved", path.string(), code.message(),
@@ -54,35 +94,13 @@ Status writeSafely(AssetReader& reader, const PaintedLayer& layer, const Terrain
 
 Status checkLayer(const SceneNode& node, const PaintedLayer& layer) {
   if (std::holds_alternative<std::monostate>(layer)) return {};
-  if (node.as<GroundTypeLayerNode>()) {
-    const auto* types = std::get_if<TiledRaster<std::uint8_t>>(&layer);
-    if (!types) return unusable(node, "it has no whole numbers from 0 to 255");
-    std::uint8_t bad = 0;
-    const auto good = [](std::uint8_t v) { return v < kGroundTypeCount || v == kUnpaintedGround; };
-    if (!everyCell(*types, good, bad))
-      return unusable(node, fmt::format("{} is the number of no ground type", bad));
-    return {};
-  }
-  if (node.as<GroundTemperatureLayerNode>()) {
-    const auto* kelvin = std::get_if<TiledRaster<float>>(&layer);
-    if (!kelvin) return unusable(node, "it has no temperatures");
-    float bad = 0.0f;
-    const auto good = [](float v) { return std::isnan(v) || (v >= kColdest && v <= kHottest); };
-    if (!everyCell(*kelvin, good, bad))
-      return unusable(node, fmt::format("{} K is no temperature of the ground", bad));
-    return {};
-  }
-  if (node.as<AvalancheReleaseNode>()) {
-    const auto* area = std::get_if<TiledRaster<std::uint8_t>>(&layer);
-    if (!area) return unusable(node, "it has no whole numbers from 0 to 255");
-    std::uint8_t bad = 0;
-    const auto good = [](std::uint8_t v) { return v == kReleasePainted || v == kReleaseUnpainted; };
-    if (!everyCell(*area, good, bad))
-      return unusable(node, fmt::format("{} is neither {} (released) nor {} (not painted)", bad,
-                                        kReleasePainted, kReleaseUnpainted));
-    return {};
-  }
-  return unusable(node, "this node is not painted on");
+  const PaintedKind* kind = paintedKind(*node.type);
+  if (!kind) return unusable(node, "this node is not painted on");
+  if (const auto* numbers = std::get_if<TiledRaster<std::uint8_t>>(&layer))
+    return kind->numbers ? checkNumbers(node, *kind, *numbers)
+                         : unusable(node, fmt::format("it holds no {}", kind->name));
+  if (kind->numbers) return unusable(node, "it has no whole numbers from 0 to 255");
+  return checkReals(node, *kind, std::get<TiledRaster<float>>(layer));
 }
 
 Status loadPaintedLayers(Scene& scene, const std::string& sceneFile, AssetReader& reader,
@@ -104,7 +122,7 @@ Status loadPaintedLayers(Scene& scene, const std::string& sceneFile, AssetReader
       continue;
     }
     if (found->moved) issues.push_back(movedRemark(node.id, source, found->path));
-    node.painted = std::move(*layer);
+    node.painted = ofKind(*paintedKind(*node.type), std::move(*layer));
   }
   return {};
 }
@@ -122,7 +140,7 @@ Status savePaintedLayers(Scene& scene, const std::string& sceneFile, const Terra
     const bool types = std::holds_alternative<TiledRaster<std::uint8_t>>(node.painted);
     const std::string path =
         folder.filePath(QString::fromStdString(node.id + (types ? ".png" : ".tif"))).toStdString();
-    if (Status status = writeSafely(reader, node.painted, terrain, path); !status) return status;
+    if (Status status = writeSafely(reader, node, terrain, path); !status) return status;
     setPlainValue(node, *source, storedAssetPath(sceneFile, path));
   }
   return {};

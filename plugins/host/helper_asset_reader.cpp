@@ -46,18 +46,24 @@ class HelperAssetReader final : public AssetReader {
 
   Result<TerrainImport> readTerrain(const std::string& path, const ImportOptions& options,
                                     const CancelToken& cancel) override {
-    return read<TerrainImport>({ImportTask::ReadTerrain, path, options, {}, {}}, cancel, decodeTerrain);
+    return read<TerrainImport>({ImportTask::ReadTerrain, path, options, {}, {}, {}}, cancel, decodeTerrain);
   }
   Result<ModelImport> readModel(const std::string& path, const ImportOptions& options,
                                 const CancelToken& cancel) override {
-    return read<ModelImport>({ImportTask::ReadModel, path, options, {}, {}}, cancel, decodeModel);
+    return read<ModelImport>({ImportTask::ReadModel, path, options, {}, {}, {}}, cancel, decodeModel);
   }
   Result<PaintedLayer> readLayer(const std::string& path, const CancelToken& cancel) override {
-    return read<PaintedLayer>({ImportTask::ReadLayer, path, {}, {}, {}}, cancel, decodeLayer);
+    return read<PaintedLayer>({ImportTask::ReadLayer, path, {}, {}, {}, {}}, cancel, decodeLayer);
   }
 
-  Status writeLayer(const PaintedLayer& layer, const TerrainData& terrain, const std::string& path) override {
-    HelperRequest request{ImportTask::WriteLayer, std::filesystem::absolute(path).string(), {}, layer, {}};
+  Result<RasterImport> readRaster(const std::string& path, const CancelToken& cancel) override {
+    return read<RasterImport>({ImportTask::ReadRaster, path, {}, {}, {}, {}}, cancel, decodeRaster);
+  }
+
+  Status writeLayer(const PaintedLayer& layer, const LayerFormat& format, const TerrainData& terrain,
+                    const std::string& path) override {
+    const std::string absolute = std::filesystem::absolute(path).string();
+    HelperRequest request{ImportTask::WriteLayer, absolute, {}, layer, format, {}};
     const Raster<float>& r = terrain.heights;
     request.terrain.heights.width = r.width;
     request.terrain.heights.height = r.height;

@@ -68,23 +68,37 @@ Status checkEach(const std::vector<T>& items, const char* kind, const std::strin
   return {};
 }
 
-}  // namespace
-
-Status checkTerrain(const TerrainData& terrain, const std::string& path) {
-  const Raster<float>& r = terrain.heights;
-  const auto bad = [&](const std::string& why) {
-    return Status(badInput("The terrain is unusable", path, why));
-  };
+Status checkShape(const Raster<float>& r, const GeoReference& geo, const char* what,
+                  const std::string& path) {
+  const auto bad = [&](const std::string& why) { return Status(badInput(what, path, why)); };
   if (r.width < 2 || r.height < 2 || r.width > kMaxRasterEdge || r.height > kMaxRasterEdge)
     return bad(fmt::format("{} x {} cells; 2 to {} along each edge are possible", r.width, r.height,
                            kMaxRasterEdge));
   if (r.values.size() != static_cast<std::size_t>(r.width) * static_cast<std::size_t>(r.height))
-    return bad("the number of heights does not fit its size");
+    return bad("the number of values does not fit its size");
   if (!(r.cellSize >= kMinCellSize && r.cellSize <= kMaxCellSize))
     return bad(fmt::format("a cell size of {} m", r.cellSize));
-  if (!inWorld(r.originX) || !inWorld(r.originY) || !inWorld(terrain.geo.origin.x) ||
-      !inWorld(terrain.geo.origin.y) || !inWorld(terrain.geo.origin.z))
+  if (!inWorld(r.originX) || !inWorld(r.originY) || !inWorld(geo.origin.x) || !inWorld(geo.origin.y) ||
+      !inWorld(geo.origin.z))
     return bad("its place in the world is not a usable number");
+  return {};
+}
+
+}  // namespace
+
+Status checkRaster(const Raster<float>& r, const GeoReference& geo, const std::string& path) {
+  if (Status status = checkShape(r, geo, "The raster is unusable", path); !status) return status;
+  for (const float v : r.values)
+    if (std::isinf(v)) return badInput("The raster is unusable", path, "it holds an infinite number");
+  return {};
+}
+
+Status checkTerrain(const TerrainData& terrain, const std::string& path) {
+  const Raster<float>& r = terrain.heights;
+  if (Status status = checkShape(r, terrain.geo, "The terrain is unusable", path); !status) return status;
+  const auto bad = [&](const std::string& why) {
+    return Status(badInput("The terrain is unusable", path, why));
+  };
   bool any = false;
   for (const float h : r.values) {
     if (std::isnan(h)) continue;

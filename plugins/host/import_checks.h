@@ -13,6 +13,8 @@ namespace spin {
 
 /// Sizes that fit together, finite numbers, heights within range; the error says what is wrong.
 Status checkTerrain(const TerrainData& terrain, const std::string& path);
+/// The same for a raster of plain numbers, whose values are finite or NaN and may all be NaN.
+Status checkRaster(const Raster<float>& values, const GeoReference& geo, const std::string& path);
 Status checkModel(const ModelData& model, const std::string& path);
 
 }  // namespace spin

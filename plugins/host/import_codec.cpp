@@ -53,6 +53,24 @@ TerrainData decodeTerrainData(ByteReader& in) {
   return terrain;
 }
 
+void encodeFormat(ByteWriter& out, const LayerFormat& format) {
+  out.put(format.name);
+  out.put(format.unit);
+  out.put(format.bits);
+  out.put(format.low);
+  out.put(format.high);
+}
+
+LayerFormat decodeFormat(ByteReader& in) {
+  LayerFormat format;
+  format.name = in.getText();
+  format.unit = in.getText();
+  format.bits = in.get<int>();
+  format.low = in.get<double>();
+  format.high = in.get<double>();
+  return format;
+}
+
 Error brokenAnswer(const std::string& path, const char* why) {
   return {ErrorKind::Failed, "The import failed", path, why,
           "Try again; if it happens again, report the file to the makers of the program"};
@@ -66,6 +84,7 @@ std::vector<char> encodeRequest(const HelperRequest& request) {
   out.put(request.path);
   out.put(request.options);
   encode(out, request.layer);
+  encodeFormat(out, request.format);
   encodeTerrain(out, request.terrain);
   return out.take();
 }
@@ -79,6 +98,7 @@ Result<HelperRequest> decodeRequest(const char* data, std::size_t size) {
   Result<PaintedLayer> layer = decodeLayer(in, request.path);
   if (!layer) return layer.error();
   request.layer = std::move(*layer);
+  request.format = decodeFormat(in);
   request.terrain = decodeTerrainData(in);
   if (!in.ok() || !in.atEnd()) return brokenAnswer(request.path, "the request is damaged");
   return request;
@@ -116,6 +136,22 @@ Result<TerrainImport> decodeTerrain(ByteReader& in, const std::string& path) {
   TerrainImport import{terrain, decodeSummary(in)};
   if (!in.ok() || !in.atEnd()) return brokenAnswer(path, "the import helper's answer is damaged");
   if (Status status = checkTerrain(*terrain, path); !status) return status.error();
+  return import;
+}
+
+void encode(ByteWriter& out, const RasterImport& import) {
+  encodeTerrain(out, {import.values, import.geo, {}});
+  out.put(std::uint8_t{import.georeferenced});
+  out.put(import.bits);
+}
+
+Result<RasterImport> decodeRaster(ByteReader& in, const std::string& path) {
+  TerrainData data = decodeTerrainData(in);
+  RasterImport import{std::move(data.heights), data.geo, in.get<std::uint8_t>() != 0, in.get<int>()};
+  if (!in.ok() || !in.atEnd()) return brokenAnswer(path, "the import helper's answer is damaged");
+  if (Status status = checkRaster(import.values, import.geo, path); !status) return status.error();
+  if (import.bits != 0 && import.bits != 8 && import.bits != 16)
+    return brokenAnswer(path, "the import helper's answer is damaged");
   return import;
 }
 

@@ -10,7 +10,7 @@
 /// the results have passed import_checks.h.
 namespace spin {
 
-enum class ImportTask : std::uint8_t { ReadTerrain, ReadModel, ReadLayer, WriteLayer };
+enum class ImportTask : std::uint8_t { ReadTerrain, ReadModel, ReadLayer, ReadRaster, WriteLayer };
 
 /// What the helper is asked to do.
 struct HelperRequest {
@@ -18,6 +18,7 @@ struct HelperRequest {
   std::string path;  ///< absolute
   ImportOptions options;
   PaintedLayer layer;   ///< WriteLayer only
+  LayerFormat format;   ///< WriteLayer only
   TerrainData terrain;  ///< WriteLayer only: shape and georeference, no heights
 };
 
@@ -28,11 +29,13 @@ void encode(ByteWriter& out, const Error& error);
 void encode(ByteWriter& out, const TerrainImport& import);
 void encode(ByteWriter& out, const ModelImport& import);
 void encode(ByteWriter& out, const PaintedLayer& layer);
+void encode(ByteWriter& out, const RasterImport& import);
 
 Error decodeError(ByteReader& in);
 Result<TerrainImport> decodeTerrain(ByteReader& in, const std::string& path);
 Result<ModelImport> decodeModel(ByteReader& in, const std::string& path);
 Result<PaintedLayer> decodeLayer(ByteReader& in, const std::string& path);
+Result<RasterImport> decodeRaster(ByteReader& in, const std::string& path);
 
 /// An answer is a seal (magic number, size, content hash) and then a flag (1 = value, 0 = Error) with the
 /// encoded rest, so that a half-written or accidental file is told from an answer.

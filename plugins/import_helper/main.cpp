@@ -65,8 +65,9 @@ Status perform(const HelperRequest& request, ByteWriter& out) {
   if (request.task == ImportTask::ReadTerrain)
     return answerWith(out, (*importer)->read(request.path, request.options));
   if (request.task == ImportTask::ReadLayer) return answerWith(out, (*importer)->readLayer(request.path));
+  if (request.task == ImportTask::ReadRaster) return answerWith(out, (*importer)->readRaster(request.path));
   out.put(std::uint8_t{1});
-  return (*importer)->writeLayer(request.layer, request.terrain, request.path);
+  return (*importer)->writeLayer(request.layer, request.format, request.terrain, request.path);
 }
 
 /// Exceptions of the libraries end here; the memory one has its own kind.

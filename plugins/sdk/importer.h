@@ -18,7 +18,8 @@ class TerrainImporter {
   virtual std::vector<std::string> extensions() const = 0;
   virtual Result<TerrainImport> read(const std::string& path, const ImportOptions& options) = 0;
   virtual Result<PaintedLayer> readLayer(const std::string& path) = 0;
-  virtual Status writeLayer(const PaintedLayer& layer, const TerrainData& terrain,
+  virtual Result<RasterImport> readRaster(const std::string& path) = 0;
+  virtual Status writeLayer(const PaintedLayer& layer, const LayerFormat& format, const TerrainData& terrain,
                             const std::string& path) = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/nodes/ground_nodes.h"
 #include "plugins/sdk/file_name.h"
@@ -14,8 +15,6 @@ namespace spin {
 namespace {
 
 constexpr const char* kWhatRead = "The painted layer could not be read";
-/// K; snow and ground on Earth stay well within.
-constexpr float kMaxTemperature = 400.0f;
 
 Status checkValue(std::uint8_t value, const std::string& path) {
   if (value < kGroundTypeCount || value == kUnpaintedGround) return {};
@@ -24,10 +23,11 @@ Status checkValue(std::uint8_t value, const std::string& path) {
                               kUnpaintedGround));
 }
 
+/// What a value means is known where it goes; here it only has to be a number.
 Status checkValue(float value, const std::string& path) {
-  if (std::isnan(value) || (value >= 0.0f && value <= kMaxTemperature)) return {};
-  return badInput(kWhatRead, path, fmt::format("it holds a temperature of {} K", value),
-                  "Temperatures are in kelvin; NaN marks what is not painted");
+  if (!std::isinf(value)) return {};
+  return badInput(kWhatRead, path, fmt::format("it holds the number {}", value),
+                  "NaN marks what is not painted; all else must be finite");
 }
 
 template <class T>
@@ -70,10 +70,12 @@ DatasetPointer create(const char* driver, const std::string& path, int width, in
       found ? found->Create(path.c_str(), width, height, 1, type, const_cast<char**>(options)) : nullptr);
 }
 
-bool writePng(const TiledRaster<std::uint8_t>& layer, const std::string& path) {
-  const DatasetPointer memory = create("MEM", "", layer.width(), layer.height(), GDT_Byte, nullptr);
+/// By a copy from memory, the only way that GDAL writes PNG.
+template <class T>
+bool writePng(const TiledRaster<T>& layer, GDALDataType type, const std::string& path) {
+  const DatasetPointer memory = create("MEM", "", layer.width(), layer.height(), type, nullptr);
   GDALDriver* png = GetGDALDriverManager()->GetDriverByName("PNG");
-  if (!memory || !png || !fillBand(*memory, layer, GDT_Byte)) return false;
+  if (!memory || !png || !fillBand(*memory, layer, type)) return false;
   // No .aux.xml beside it: the picture says all there is.
   CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", "NO");
   const DatasetPointer written(png->CreateCopy(path.c_str(), memory.get(), TRUE, nullptr, nullptr, nullptr));
@@ -81,9 +83,34 @@ bool writePng(const TiledRaster<std::uint8_t>& layer, const std::string& path) {
   return written != nullptr;
 }
 
-bool writeTiff(const TiledRaster<float>& layer, const TerrainData& terrain, const std::string& path) {
-  const char* const options[] = {"COMPRESS=DEFLATE", "PREDICTOR=3", "TILED=YES", nullptr};
-  const DatasetPointer file = create("GTiff", path, layer.width(), layer.height(), GDT_Float32, options);
+/// Grey levels for measures; black for NaN.
+template <class T>
+TiledRaster<T> greyLevels(const TiledRaster<float>& layer, const LayerFormat& format) {
+  TiledRaster<T> grey(layer.width(), layer.height(), T{});
+  constexpr double kWhite = std::numeric_limits<T>::max();
+  for (int j = 0; j < layer.height(); ++j)
+    for (int i = 0; i < layer.width(); ++i) {
+      const double value = static_cast<double>(layer.at(i, j));
+      const double share = (value - format.low) / (format.high - format.low);
+      if (share > 0.0) grey.set(i, j, static_cast<T>(std::lround(std::min(share, 1.0) * kWhite)));
+    }
+  return grey;
+}
+
+bool writePicture(const PaintedLayer& layer, const LayerFormat& format, const std::string& path) {
+  if (const auto* numbers = std::get_if<TiledRaster<std::uint8_t>>(&layer))
+    return writePng(*numbers, GDT_Byte, path);
+  const auto& reals = std::get<TiledRaster<float>>(layer);
+  return format.bits == 16 ? writePng(greyLevels<std::uint16_t>(reals, format), GDT_UInt16, path)
+                           : writePng(greyLevels<std::uint8_t>(reals, format), GDT_Byte, path);
+}
+
+template <class T>
+bool writeTiff(const TiledRaster<T>& layer, GDALDataType type, const LayerFormat& format,
+               const TerrainData& terrain, const std::string& path) {
+  const char* const options[] = {"COMPRESS=DEFLATE", type == GDT_Float32 ? "PREDICTOR=3" : "PREDICTOR=2",
+                                 "TILED=YES", nullptr};
+  const DatasetPointer file = create("GTiff", path, layer.width(), layer.height(), type, options);
   if (!file) return false;
   const Raster<float>& r = terrain.heights;
   double transform[6];
@@ -91,10 +118,33 @@ bool writeTiff(const TiledRaster<float>& layer, const TerrainData& terrain, cons
   file->SetGeoTransform(transform);
   if (const auto srs = spatialReferenceOf(terrain.geo)) file->SetSpatialRef(srs.get());
   GDALRasterBand* band = file->GetRasterBand(1);
-  band->SetNoDataValue(std::nan(""));
-  band->SetDescription("ground temperature");
-  band->SetUnitType("K");
-  return fillBand(*file, layer, GDT_Float32);
+  band->SetNoDataValue(type == GDT_Float32 ? std::nan("") : static_cast<double>(layer.fill()));
+  if (!format.name.empty()) band->SetDescription(format.name.c_str());
+  if (!format.unit.empty()) band->SetUnitType(format.unit.c_str());
+  return fillBand(*file, layer, type);
+}
+
+bool writeMeasures(const PaintedLayer& layer, const LayerFormat& format, const TerrainData& terrain,
+                   const std::string& path) {
+  if (const auto* numbers = std::get_if<TiledRaster<std::uint8_t>>(&layer))
+    return writeTiff(*numbers, GDT_Byte, format, terrain, path);
+  return writeTiff(std::get<TiledRaster<float>>(layer), GDT_Float32, format, terrain, path);
+}
+
+Status checkFormat(const PaintedLayer& layer, const LayerFormat& format, const std::string& path) {
+  const std::string ending = lowerCaseExtension(path);
+  const auto refuse = [&](const char* why, const char* advice) {
+    return Error{ErrorKind::Usage, "The painted layer could not be written", path, why, advice};
+  };
+  if (std::holds_alternative<std::monostate>(layer)) return refuse("nothing is painted", "Paint it first");
+  if (ending != "png" && ending != "tif" && ending != "tiff")
+    return refuse("layers go to .png and .tif files", "Choose one of these endings");
+  const bool picture = ending == "png" && std::holds_alternative<TiledRaster<float>>(layer);
+  if (picture && format.bits != 8 && format.bits != 16)
+    return refuse("a PNG has 8 or 16 bits", "Choose one of these");
+  if (picture && !(std::isfinite(format.low) && format.high > format.low && std::isfinite(format.high)))
+    return refuse("black and white stand for no range of values", "Give white a larger value than black");
+  return {};
 }
 
 }  // namespace
@@ -109,22 +159,18 @@ Result<PaintedLayer> TerrainGdalPlugin::readLayer(const std::string& path) {
   if (type == GDT_Byte) return readTiled<std::uint8_t>(*source, type, kUnpaintedGround, reading, path);
   if (type == GDT_Float32) return readTiled<float>(*source, type, std::nanf(""), reading, path);
   return badInput(kWhatRead, path, "its cells are neither 8-bit numbers nor floats",
-                  "Ground types are 8-bit PNG files, temperatures float GeoTIFF files");
+                  "Ground types and areas are 8-bit PNG files, all other layers float GeoTIFF files");
 }
 
-Status TerrainGdalPlugin::writeLayer(const PaintedLayer& layer, const TerrainData& terrain,
-                                     const std::string& path) {
+Status TerrainGdalPlugin::writeLayer(const PaintedLayer& layer, const LayerFormat& format,
+                                     const TerrainData& terrain, const std::string& path) {
   prepareGdal();
   const GdalMessages messages;
-  const auto* types = std::get_if<TiledRaster<std::uint8_t>>(&layer);
-  const auto* temperatures = std::get_if<TiledRaster<float>>(&layer);
-  const std::string wanted = types ? "png" : "tif";
-  if ((!types && !temperatures) || lowerCaseExtension(path) != wanted)
-    return Error{ErrorKind::Usage, "The painted layer could not be written", path,
-                 "ground types go to .png files and temperatures to .tif files", ""};
+  if (Status status = checkFormat(layer, format, path); !status) return status;
   OutputFile file(path);
-  const bool written = types ? writePng(*types, file.temporaryPath())
-                             : writeTiff(*temperatures, terrain, file.temporaryPath());
+  const bool written = lowerCaseExtension(path) == "png"
+                           ? writePicture(layer, format, file.temporaryPath())
+                           : writeMeasures(layer, format, terrain, file.temporaryPath());
   // Compressed cells go out when the dataset closes, so a full disk may show only in the messages.
   if (!written || messages.failed())
     return cannotWrite(path, messages.reason("its cells could not be written"));

@@ -8,6 +8,7 @@
 
 #include "plugins/sdk/file_name.h"
 #include "plugins/sdk/import_limits.h"
+#include "plugins/sdk/memory_budget.h"
 
 namespace spin {
 namespace {
@@ -63,6 +64,24 @@ Result<RasterSource> openRaster(const std::string& path, const GdalMessages& mes
   source.band = source.dataset->GetRasterBand(1);
   if (Status status = checkBands(source, path); !status) return status.error();
   return source;
+}
+
+// Cells here, the copy in the answer, and GDAL's own row and block memory.
+Status checkRasterMemory(const RasterSource& source, const std::string& path) {
+  const std::size_t cells = static_cast<std::size_t>(source.width) * static_cast<std::size_t>(source.height);
+  int blockWidth = 0, blockHeight = 0;
+  source.band->GetBlockSize(&blockWidth, &blockHeight);
+  const std::size_t block =
+      static_cast<std::size_t>(blockWidth) * static_cast<std::size_t>(blockHeight) *
+      static_cast<std::size_t>(GDALGetDataTypeSizeBytes(source.band->GetRasterDataType()));
+  const std::size_t need = 2 * sizeof(float) * cells + 2 * block;
+  const std::size_t left = memoryLeft();
+  if (need <= left) return {};
+  return Error{
+      ErrorKind::OutOfResources, kWhat, path,
+      fmt::format("its {} x {} cells need {} MiB and {} MiB are left of the memory allowed for an import",
+                  source.width, source.height, need >> 20, left >> 20),
+      "Cut out or coarsen the part you need: gdalwarp -te ... -tr ..."};
 }
 
 Result<RasterPlacement> placementOf(const RasterSource& source, const ImportOptions& options,

@@ -22,6 +22,9 @@ struct RasterSource {
 /// Opens by the driver that the extension names, checks size, bands and number type.
 Result<RasterSource> openRaster(const std::string& path, const GdalMessages& messages);
 
+/// Whether the memory that an import may take suffices for all cells as floats.
+Status checkRasterMemory(const RasterSource& source, const std::string& path);
+
 /// Where the cells lie: north up, square, metres.
 struct RasterPlacement {
   double west = 0.0;   ///< world x of the western edge, m

@@ -18,7 +18,9 @@ class TerrainGdalPlugin final : public QObject, public TerrainImporter {
   std::vector<std::string> extensions() const override { return {"asc", "tif", "tiff", "png", "xyz"}; }
   Result<TerrainImport> read(const std::string& path, const ImportOptions& options) override;
   Result<PaintedLayer> readLayer(const std::string& path) override;
-  Status writeLayer(const PaintedLayer& layer, const TerrainData& terrain, const std::string& path) override;
+  Result<RasterImport> readRaster(const std::string& path) override;
+  Status writeLayer(const PaintedLayer& layer, const LayerFormat& format, const TerrainData& terrain,
+                    const std::string& path) override;
 };
 
 }  // namespace spin

@@ -9,7 +9,6 @@
 #include "core/property/text_mark.h"
 #include "plugins/sdk/file_name.h"
 #include "plugins/sdk/import_limits.h"
-#include "plugins/sdk/memory_budget.h"
 #include "plugins/terrain_gdal/ascii_check.h"
 #include "plugins/terrain_gdal/height_rows.h"
 #include "plugins/terrain_gdal/terrain_gdal_plugin.h"
@@ -31,24 +30,6 @@ Status checkNumberType(const RasterSource& source, const std::string& path) {
   if (lowerCaseExtension(path) == "png" && source.band->GetRasterDataType() != GDT_UInt16)
     return badInput(kWhat, path, "it has 8 bits per cell", "Export the heights as a 16-bit grey PNG");
   return {};
-}
-
-/// Heights here, the copy in the answer, and GDAL's own row and block memory.
-Status checkMemory(const RasterSource& source, const std::string& path) {
-  const std::size_t cells = static_cast<std::size_t>(source.width) * static_cast<std::size_t>(source.height);
-  int blockWidth = 0, blockHeight = 0;
-  source.band->GetBlockSize(&blockWidth, &blockHeight);
-  const std::size_t block =
-      static_cast<std::size_t>(blockWidth) * static_cast<std::size_t>(blockHeight) *
-      static_cast<std::size_t>(GDALGetDataTypeSizeBytes(source.band->GetRasterDataType()));
-  const std::size_t need = 2 * sizeof(float) * cells + 2 * block;
-  const std::size_t left = memoryLeft();
-  if (need <= left) return {};
-  return Error{
-      ErrorKind::OutOfResources, kWhat, path,
-      fmt::format("its {} x {} cells need {} MiB and {} MiB are left of the memory allowed for an import",
-                  source.width, source.height, need >> 20, left >> 20),
-      "Cut out or coarsen the part you need: gdalwarp -te ... -tr ..."};
 }
 
 std::string printable(std::string text) {
@@ -144,7 +125,7 @@ Result<TerrainImport> TerrainGdalPlugin::read(const std::string& path, const Imp
   if (!crs) return crs.error();
   const Result<RasterPlacement> place = placementOf(*source, options, path);
   if (!place) return place.error();
-  if (Status status = checkMemory(*source, path); !status) return status.error();
+  if (Status status = checkRasterMemory(*source, path); !status) return status.error();
   if (lowerCaseExtension(path) == "asc")
     if (Status status = checkAsciiGrid(path); !status) return status.error();
   // What opening complained of without failing is a warning; from here on any failure counts.

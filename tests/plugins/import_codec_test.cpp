@@ -146,11 +146,43 @@ TEST(ImportCodec, RefusesTerrainsThatMakeNoSense) {
       [](TerrainData& t) { std::fill(t.heights.values.begin(), t.heights.values.end(), std::nanf("")); }));
 }
 
+TEST(ImportCodec, RastersArriveWholeAndDamageIsFound) {
+  RasterImport before;
+  before.values = Raster<float>(3, 2, 0.0, 0.0, 2.5, 7.0f);
+  before.values.at(1, 1) = std::nanf("");
+  before.geo = {{100.0, 200.0, 0.0}, 31287, "wkt"};
+  before.georeferenced = true;
+  before.bits = 16;
+  const auto decoded = [&] {
+    ByteWriter out;
+    encode(out, before);
+    const std::vector<char> bytes = out.take();
+    ByteReader in(bytes.data(), bytes.size());
+    return decodeRaster(in, "r.png");
+  };
+  const Result<RasterImport> after = decoded();
+  ASSERT_TRUE(after.ok()) << after.error().text();
+  EXPECT_EQ(after->values.at(2, 1), 7.0f);
+  EXPECT_TRUE(std::isnan(after->values.at(1, 1)));
+  EXPECT_EQ(after->geo, before.geo);
+  EXPECT_TRUE(after->georeferenced);
+  EXPECT_EQ(after->bits, 16);
+  before.bits = 12;
+  EXPECT_FALSE(decoded().ok());
+  before.bits = 8;
+  before.values.at(0, 0) = HUGE_VALF;
+  EXPECT_FALSE(decoded().ok());
+  before.values.at(0, 0) = 1.0f;
+  before.values.values.pop_back();
+  EXPECT_FALSE(decoded().ok());
+}
+
 TEST(ImportCodec, RequestCarriesThePaintedLayer) {
   TiledRaster<std::uint8_t> types(130, 70, 255);
   types.set(129, 69, 5);
   types.set(0, 0, 2);
-  HelperRequest request{ImportTask::WriteLayer, "/a/b.png", {}, types, *someTerrain().terrain};
+  HelperRequest request{ImportTask::WriteLayer, "/a/b.png", {}, types, {"share", "m", 16, -1.5, 2.5},
+                        *someTerrain().terrain};
   request.options.epsg = 31287;
   const std::vector<char> bytes = encodeRequest(request);
   const auto after = decodeRequest(bytes.data(), bytes.size());
@@ -158,6 +190,11 @@ TEST(ImportCodec, RequestCarriesThePaintedLayer) {
   EXPECT_EQ(after->path, "/a/b.png");
   EXPECT_EQ(after->options.epsg, 31287);
   EXPECT_EQ(std::get<TiledRaster<std::uint8_t>>(after->layer), types);
+  EXPECT_EQ(after->format.name, "share");
+  EXPECT_EQ(after->format.unit, "m");
+  EXPECT_EQ(after->format.bits, 16);
+  EXPECT_EQ(after->format.low, -1.5);
+  EXPECT_EQ(after->format.high, 2.5);
   // A layer of six tiles with two touched stays far below its 9100 cells.
   EXPECT_LT(bytes.size(), 9000u);
   EXPECT_FALSE(decodeRequest(bytes.data(), bytes.size() - 1).ok());

@@ -19,6 +19,9 @@ class FakeAssetReader : public AssetReader {
   std::atomic<int> reads{0};
   std::atomic<int> layerWrites{0};
   ImportOptions lastOptions;
+  LayerFormat lastFormat;
+  /// What readRaster() answers; without values it fails.
+  RasterImport raster;
 
   Result<TerrainImport> readTerrain(const std::string& path, const ImportOptions& options,
                                     const CancelToken&) override {
@@ -61,8 +64,16 @@ class FakeAssetReader : public AssetReader {
     return crash(path);
   }
 
-  Status writeLayer(const PaintedLayer& layer, const TerrainData&, const std::string& path) override {
+  Result<RasterImport> readRaster(const std::string& path, const CancelToken&) override {
+    ++reads;
+    if (raster.values.empty()) return crash(path);
+    return raster;
+  }
+
+  Status writeLayer(const PaintedLayer& layer, const LayerFormat& format, const TerrainData&,
+                    const std::string& path) override {
     ++layerWrites;
+    lastFormat = format;
     std::ofstream out(path);
     if (const auto* types = std::get_if<TiledRaster<std::uint8_t>>(&layer)) writeCells(out, "types", *types);
     if (const auto* kelvin = std::get_if<TiledRaster<float>>(&layer)) writeCells(out, "kelvin", *kelvin);

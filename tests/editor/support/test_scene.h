@@ -57,7 +57,13 @@ class FakeReader final : public AssetReader {
   Result<PaintedLayer> readLayer(const std::string& path, const CancelToken&) override {
     return badInput("No layers here", path, "the reader of the tests knows none");
   }
-  Status writeLayer(const PaintedLayer&, const TerrainData&, const std::string&) override { return {}; }
+  Result<RasterImport> readRaster(const std::string& path, const CancelToken&) override {
+    return badInput("No rasters here", path, "the reader of the tests knows none");
+  }
+  Status writeLayer(const PaintedLayer&, const LayerFormat&, const TerrainData&,
+                    const std::string&) override {
+    return {};
+  }
 };
 
 /// The hill with a cube on its top; the cube's node is "cube".
