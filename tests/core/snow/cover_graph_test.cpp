@@ -244,9 +244,7 @@ TEST(SnowSmoothing, FillsHollowsAndLeavesBareGroundBare) {
   smoothSnow(*graph, {depth.data()}, settings, backend);
   EXPECT_NEAR(test::sumOver(*graph, depth), before, 1e-12 * before);
   EXPECT_GT(depth[20 * 40 + 20], 0.6);
-  for (std::uint32_t c = 0; c < graph->size(); ++c) {
-    if (c % 40 < 6) EXPECT_EQ(depth[c], 0.0);
-  }
+  for (std::uint32_t c = 0; c < graph->size(); ++c) EXPECT_TRUE(c % 40 >= 6 || depth[c] == 0.0);
 }
 
 }  // namespace
