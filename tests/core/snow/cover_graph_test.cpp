@@ -6,7 +6,6 @@
 
 #include <cmath>
 
-#include "core/bench/snow_bench_scene.h"
 #include "core/snow/snow_slides.h"
 #include "core/snow/snow_smoothing.h"
 #include "tests/core/snow/cover_land.h"
@@ -162,7 +161,10 @@ TEST(CoverGraph, SnowSlidesOffASteepRoofOntoTheGroundBeside) {
   scene.terrain.coverDetailCell = 0.5;
   ModelNode house;
   house.position = {30.0, 30.0, 0.0};
-  scene.model("house", benchHouse(8.0, 11.0, 4.0, 9.0), house);  // 51 degrees
+  Mesh gable;  // 51 degrees, eaves 3 m up
+  gable.positions = {{-4, -5, 3}, {0, -5, 8}, {0, 5, 8}, {-4, 5, 3}, {4, -5, 3}, {4, 5, 3}};
+  gable.indices = {0, 1, 2, 0, 2, 3, 1, 4, 5, 1, 5, 2};
+  scene.model("house", test::modelOf(gable), house);
   const Made made = madeOf(scene.build());
   const auto graph = std::make_shared<const CoverGraph>(made.graph);
   std::vector<double> depth(graph->size(), 0.0), swe = depth;
