@@ -14,6 +14,10 @@ BenchCase exposureEdgeCase();
 BenchCase exposureRaytracedCase();
 BenchCase slopeCatchCase();
 BenchCase massCase();
+BenchCase windShadowCase();
+BenchCase reposeCase();
+BenchCase driftMassCase();
+BenchCase windHillCase();
 BenchCase sphSpeedCase();
 BenchCase sphParityCase();
 BenchCase kernelSumsCase();
@@ -48,6 +52,8 @@ const std::vector<BenchCase>& builtInBenchCases() {
       flakeDimensionCase(), flutterCase(),
       exposureEdgeCase(),   exposureRaytracedCase(),
       slopeCatchCase(),     massCase(),
+      windShadowCase(),     reposeCase(),
+      driftMassCase(),      windHillCase(),
       meltFixedFluxCase(),  conductionStepCase(),
       degreeDayCase(),      seasonCase(),
       snowSpeedCase(),      sphSpeedCase(),

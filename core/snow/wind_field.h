@@ -24,7 +24,7 @@ struct WindSettings {
   /// potential flow, which is too slow on crests since it knows no shear; the default meets the speed-up
   /// of 2 h/L on a ridge (Taylor and Lee 1984).
   double verticalStiffness = 1.5;
-  double tolerance = 1e-6;  ///< of the divergence that the adjustment leaves, relative
+  double tolerance = 1e-5;  ///< for WindField::divergence()
   int mostIterations = 2000;
 };
 
@@ -53,6 +53,9 @@ class WindField {
   /// Horizontal speed over that on level ground at the same height.
   double speedUp(double x, double y, double above, Vec2d wind10) const;
 
+  /// Ground under the columns, m.
+  double groundHeight(double x, double y) const;
+
   int columns() const { return m_width; }
   int rows() const { return m_height; }
   int layers() const { return m_layers; }
@@ -77,6 +80,7 @@ class WindField {
   int m_width = 0, m_height = 0, m_layers = 0;
   double m_originX = 0.0, m_originY = 0.0, m_cell = 1.0;  ///< centre of the first column, m
   double m_roughness = 0.01;
+  double m_top = 0.0;            ///< m
   std::vector<float> m_depth;    ///< m from ground to the top, by column
   std::vector<double> m_levels;  ///< heights of the layers' borders over that depth, from 0 to 1
   std::vector<Ratios> m_ratios;  ///< by column, layers within
