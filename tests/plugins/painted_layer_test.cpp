@@ -81,7 +81,8 @@ TEST_F(PaintedLayers, MasksGoOutAsPicturesAndComeBackAsNumbers) {
     ASSERT_EQ(read->values.height, 70);
     const double white = bits == 8 ? 255.0 : 65535.0;
     for (const int i : {0, 1, 64, 129})
-      EXPECT_NEAR(read->values.at(i, 12) / white, i / 129.0, 0.501 / white) << bits << " bits, column " << i;
+      EXPECT_NEAR(static_cast<double>(read->values.at(i, 12)) / white, i / 129.0, 0.501 / white)
+          << bits << " bits, column " << i;
   }
 }
 
