@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "core/sim/packed_bytes.h"
 #include "core/sim/serialize.h"
 
 namespace spin {
@@ -21,7 +22,7 @@ static_assert(std::endian::native == std::endian::little, "cache files are littl
 
 // Layout: prefix | header bytes | header checksum | payload. The prefix holds the sizes.
 constexpr std::uint64_t kMagic = 0x3146'5444'4e49'5053ull;  // "SPINDTF1"
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr std::uint64_t kMaxHeaderBytes = 1 << 20;
 
 struct Prefix {
@@ -120,7 +121,8 @@ Result<int> openForReading(const std::string& path) {
 }  // namespace
 
 Status writeCheckedFile(const std::string& path, const CheckedFileHeader& header,
-                        const std::vector<char>& payload) {
+                        const std::vector<char>& bytes) {
+  const std::vector<char> payload = packBytes(bytes);
   ByteWriter out;
   out.put(header.kind);
   out.put(header.number);
@@ -169,6 +171,9 @@ Result<CheckedFile> readCheckedFile(const std::string& path) {
   if (!readAll(fd.get(), file.payload.data(), file.payload.size())) return damaged(path, "it is too short");
   if (Hasher().addBytes(file.payload.data(), file.payload.size()).digest() != prefix.payloadSum)
     return damaged(path, "its checksum is wrong");
+  std::optional<std::vector<char>> unpacked = unpackBytes(file.payload);
+  if (!unpacked) return damaged(path, "it is packed in a way that this program cannot read");
+  file.payload = std::move(*unpacked);
   return file;
 }
 
