@@ -12,6 +12,7 @@ BenchCase flakeDimensionCase();
 BenchCase flutterCase();
 BenchCase exposureEdgeCase();
 BenchCase exposureRaytracedCase();
+BenchCase exposureMapCase();
 BenchCase slopeCatchCase();
 BenchCase massCase();
 BenchCase windShadowCase();
@@ -48,25 +49,45 @@ BenchCase snowSpeedCase();
 
 const std::vector<BenchCase>& builtInBenchCases() {
   static const std::vector<BenchCase> cases = {
-      terminalSpeedCase(),  sizeSpectrumCase(),
-      flakeDimensionCase(), flutterCase(),
-      exposureEdgeCase(),   exposureRaytracedCase(),
-      slopeCatchCase(),     massCase(),
-      windShadowCase(),     reposeCase(),
-      driftMassCase(),      windHillCase(),
-      meltFixedFluxCase(),  conductionStepCase(),
-      degreeDayCase(),      seasonCase(),
-      snowSpeedCase(),      sphSpeedCase(),
-      hydrostaticCase(),    poiseuilleCase(),
-      couetteCase(),        channelPowerCase(),
-      channelBinghamCase(), channelHerschelCase(),
-      channelCrossCase(),   kernelSumsCase(),
-      damBreakCase(),       filmBinghamCase(),
-      filmCrossCase(),      slumpCase(),
-      granularColumnCase(), inclineSlipCase(),
-      penetrationCase(),    conservationCase(),
-      taylorGreenSphCase(), sphWorkPrecisionCase(),
-      buoyancyCase(),       sphParityCase(),
+      terminalSpeedCase(),
+      sizeSpectrumCase(),
+      flakeDimensionCase(),
+      flutterCase(),
+      exposureEdgeCase(),
+      exposureRaytracedCase(),
+      exposureMapCase(),
+      slopeCatchCase(),
+      massCase(),
+      windShadowCase(),
+      reposeCase(),
+      driftMassCase(),
+      windHillCase(),
+      meltFixedFluxCase(),
+      conductionStepCase(),
+      degreeDayCase(),
+      seasonCase(),
+      snowSpeedCase(),
+      sphSpeedCase(),
+      hydrostaticCase(),
+      poiseuilleCase(),
+      couetteCase(),
+      channelPowerCase(),
+      channelBinghamCase(),
+      channelHerschelCase(),
+      channelCrossCase(),
+      kernelSumsCase(),
+      damBreakCase(),
+      filmBinghamCase(),
+      filmCrossCase(),
+      slumpCase(),
+      granularColumnCase(),
+      inclineSlipCase(),
+      penetrationCase(),
+      conservationCase(),
+      taylorGreenSphCase(),
+      sphWorkPrecisionCase(),
+      buoyancyCase(),
+      sphParityCase(),
       twoFluidsStepCase(),
   };
   return cases;

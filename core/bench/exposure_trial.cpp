@@ -168,6 +168,7 @@ ExposureTrial exposureTrial(SnapshotPointer snapshot, const BenchOptions& option
   trial.points = options.quick ? 1000 : 2000;
   trial.referenceRays = options.quick ? 4096 : 65536;
   if (!options.quick) trial.rays = {64, 16, 256};
+  if (!options.quick) trial.maps = {{16, 1024}, {4, 1024}, {64, 1024}, {16, 512}, {16, 2048}};
   return trial;
 }
 
@@ -183,27 +184,47 @@ Result<std::vector<BenchRow>> compareExposure(const ExposureTrial& trial, const 
       "reference", probes.size(),
       [&](std::size_t k) { references[k] = referenceOf(prepared, probes[k], k, trial.referenceRays); }, 4);
   std::vector<BenchRow> rows;
-  for (const int rays : trial.rays) {
+  const auto add = [&](const ExposureSettings& settings, bool barred) -> Status {
     BenchRow row;
     row.caseId = "exposure-raytraced";
     row.settings = trial.settings;
-    row.settings["rays"] = std::to_string(rays);
+    row.settings["rays"] = std::to_string(settings.rays);
     row.settings["reference_rays"] = std::to_string(trial.referenceRays);
     row.settings["caster"] = prepared.scene.rays->name();
+    if (settings.mapDirections > 0) {
+      row.settings["caster"] = "maps";
+      row.settings["directions"] = std::to_string(settings.mapDirections);
+      row.settings["map_size"] = std::to_string(settings.mapSize);
+    }
     const BenchMeter meter;
-    prepared.settings.rays = rays;
     backend.timings().clear();
-    const auto field = makeExposureField(prepared.snapshot, *prepared.ground, prepared.scene,
-                                         prepared.settings, {backend, cancel, {}});
+    const auto field = makeExposureField(prepared.snapshot, *prepared.ground, prepared.scene, settings,
+                                         {backend, cancel, {}});
     if (!field) return field.error();
     meter.finish(row);
-    // The default setting has the bar; fewer rays show how the error grows.
-    addErrors(references, probes, *field, rays >= 64, trial.byKind, row);
+    addErrors(references, probes, *field, barred, trial.byKind, row);
     if (field->samplingRmse) row.addFigure("estimated_rmse", *field->samplingRmse, "1");
     double cells = 0.0;
     for (const auto& grid : field->grids) cells += static_cast<double>(grid.exposure.size());
-    row.addTime("rays_per_second", cells * rays / backend.timings().seconds("exposure"), "1/s");
+    const double seconds = backend.timings().seconds("exposure");
+    row.addTime(settings.mapDirections > 0 ? "lookups_per_second" : "rays_per_second",
+                cells * settings.rays / seconds, "1/s");
+    if (settings.mapDirections > 0)
+      row.addTime("drawing_maps", backend.timings().seconds("occlusion map"), "s");
     rows.push_back(std::move(row));
+    return {};
+  };
+  // The default setting has the bar; fewer rays and directions show how the error grows.
+  for (const int rays : trial.rays) {
+    prepared.settings.rays = rays;
+    if (const Status status = add(prepared.settings, rays >= 64); !status) return status.error();
+  }
+  prepared.settings.rays = 64;
+  for (const auto& [directions, size] : trial.maps) {
+    prepared.settings.mapDirections = directions;
+    prepared.settings.mapSize = size;
+    if (const Status status = add(prepared.settings, directions >= 16 && size >= 1024); !status)
+      return status.error();
   }
   return rows;
 }

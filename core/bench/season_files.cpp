@@ -10,8 +10,8 @@
 
 #include "core/base/units.h"
 #include "core/bench/json_value.h"
+#include "core/fields/number_table.h"
 #include "core/snow/ground_materials.h"
-#include "core/snow/number_table.h"
 
 namespace spin {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/bench/bench_case.h"
+#include "core/fields/weather_series.h"
 #include "core/physics/snow_parameters.h"
-#include "core/snow/weather_series.h"
 
 namespace spin {
 

@@ -36,4 +36,14 @@ Hash128 contentHash(const ModelData& model) {
   return hasher.digest();
 }
 
+Hash128 contentHash(const WeatherSeries& weather) {
+  Hasher hasher;
+  hasher.add(weather.start).add(weather.step);
+  for (const WeatherRecord& r : weather.records)
+    for (const double value : {r.shortwave, r.longwave, r.snowfall, r.rainfall, r.airTemperature,
+                               r.relativeHumidity, r.wind, r.pressure})
+      hasher.add(value);
+  return hasher.digest();
+}
+
 }  // namespace spin

@@ -5,6 +5,7 @@
 #include "core/base/hash.h"
 #include "core/fields/mesh.h"
 #include "core/fields/raster.h"
+#include "core/fields/weather_series.h"
 
 namespace spin {
 
@@ -12,5 +13,6 @@ namespace spin {
 /// file lies and whatever its pictures, names and coordinate system are.
 Hash128 contentHash(const TerrainData& terrain);
 Hash128 contentHash(const ModelData& model);
+Hash128 contentHash(const WeatherSeries& weather);
 
 }  // namespace spin

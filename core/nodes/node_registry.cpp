@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/nodes/camera_node.h"
+#include "core/nodes/cover_nodes.h"
 #include "core/nodes/flow_nodes.h"
 #include "core/nodes/ground_nodes.h"
 #include "core/nodes/painted_kinds.h"
@@ -15,12 +16,12 @@
 namespace spin {
 
 std::span<const NodeType* const> nodeTypes() {
-  static constexpr std::array<const NodeType*, 17> kTypes{
-      &kTerrainType,          &kModelType,          &kGroundTypeLayerType, &kGroundTemperatureLayerType,
-      &kSnowDepthLayerType,   &kKeepClearLayerType, &kWeatherType,         &kSnowfallType,
-      &kAvalancheReleaseType, &kWaterSourceType,    &kFlowSinkType,        &kRigidBodyType,
-      &kFlowMaterialType,     &kFlowSettingsType,   &kCameraType,          &kRenderType,
-      &kSimulationType};
+  static constexpr std::array kTypes{
+      &kTerrainType,        &kModelType,          &kGroundTypeLayerType,  &kGroundTemperatureLayerType,
+      &kSnowDepthLayerType, &kKeepClearLayerType, &kWeatherType,          &kSnowfallType,
+      &kSnowCoverType,      &kHeatSourceType,     &kAvalancheReleaseType, &kWaterSourceType,
+      &kFlowSinkType,       &kRigidBodyType,      &kFlowMaterialType,     &kFlowSettingsType,
+      &kCameraType,         &kRenderType,         &kSimulationType};
   return kTypes;
 }
 

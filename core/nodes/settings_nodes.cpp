@@ -91,6 +91,11 @@ constexpr PropertyRow kRenderRows[] = {
         .affecting(Affects::Picture),
 };
 
+constexpr Choice kExposureMethods[] = {
+    {"rays", SPIN_TR("Rays")},
+    {"maps", SPIN_TR("Occlusion maps")},
+};
+
 constexpr PropertyRow kSimulationRows[] = {
     property<&SimulationNode::frameRate>("frame_rate", SPIN_TR("Frame rate"),
                                          SPIN_TR("Pictures per second of film."))
@@ -117,6 +122,21 @@ constexpr PropertyRow kSimulationRows[] = {
         "exposure_rays", SPIN_TR("Exposure rays"),
         SPIN_TR("Rays per cover cell that measure how open it lies; the error falls with the square root."))
         .range(1, 65536, 16),
+    property<&SimulationNode::exposureMethod>(
+        "exposure_method", SPIN_TR("Shelter by"),
+        SPIN_TR(
+            "Rays: exact but for the number of rays. Maps: pictures of the scene along a few directions of "
+            "fall, quicker with many triangles and moving things, and a little coarse at edges."))
+        .oneOf(kExposureMethods),
+    property<&SimulationNode::exposureDirections>(
+        "exposure_directions", SPIN_TR("Map directions"),
+        SPIN_TR("Directions of fall that maps are drawn for; few give stepped edges of shelter."))
+        .range(1, 256, 1),
+    property<&SimulationNode::exposureMapSize>(
+        "exposure_map_size", SPIN_TR("Map size"),
+        SPIN_TR("Texels along a map at most; small ground takes as many as half a cell asks for."))
+        .in(Unit::Pixel)
+        .range(64, 8192, 64),
     property<&SimulationNode::newSnowDensity>("new_snow_density_kg_m3", SPIN_TR("New snow density"),
                                               SPIN_TR("0 takes it from the air temperature."))
         .in(Unit::KilogramPerCubicMetre)

@@ -48,6 +48,9 @@ struct RenderNode : NodeData {
 };
 extern const NodeType kRenderType;
 
+/// How shelter is found.
+enum class ExposureMethod : std::uint8_t { Rays, Maps };
+
 /// How the scene is simulated.
 struct SimulationNode : NodeData {
   double frameRate = 24.0;  ///< 1/s of film
@@ -55,7 +58,10 @@ struct SimulationNode : NodeData {
   int firstFrame = 0;       ///< shown and exported range, inclusive
   int lastFrame = 119;
   std::int64_t seed = 1;
-  int exposureRays = 64;          ///< rays per cover cell
+  int exposureRays = 64;  ///< rays or map lookups per cover cell
+  ExposureMethod exposureMethod = ExposureMethod::Rays;
+  int exposureDirections = 16;    ///< occlusion maps
+  int exposureMapSize = 1024;     ///< texels along a map at most
   double newSnowDensity = 0.0;    ///< kg/m3; 0 = by air temperature (67.9 + 51.3 exp(T/2.59 degC))
   double holdsBelowDegrees = 30;  ///< slopes flatter than this keep all snow
   double shedsAboveDegrees = 60;  ///< slopes steeper than this keep none

@@ -84,6 +84,44 @@ constexpr PropertyRow kModelRows[] = {
     property<&ModelNode::catchesSnow>(
         "catches_snow", SPIN_TR("Catches snow"),
         SPIN_TR("Snow lies on the parts that face up; otherwise the model only shelters what is below it.")),
+    property<&ModelNode::surface>(
+        "surface", SPIN_TR("Surface"),
+        SPIN_TR("What the snow lies on: how well it conducts heat, how dark it is."))
+        .oneOf(kGroundTypeChoices),
+    property<&ModelNode::heat>(
+        "heat_w_m2", SPIN_TR("Heat"),
+        SPIN_TR("Heat that comes up through the surface: 10 for a house, 100 melts 26 mm of water a day."))
+        .in(Unit::WattPerSquareMetre)
+        .range(-1000, 10000, 5)
+        .animated(),
+    property<&ModelNode::dusting>(
+        "dusting", SPIN_TR("Dusting"),
+        SPIN_TR("In pictures, how much of the snow of the ground beside it shows on what faces up: for trees "
+                "and small things in great numbers that catch no snow of their own."))
+        .in(Unit::Factor)
+        .range(0, 1, 0.05)
+        .animated()
+        .affecting(Affects::Picture),
+    property<&ModelNode::fineCover>(
+        "fine_cover", SPIN_TR("Fine cover round it"),
+        SPIN_TR("The ground round the model has small cover cells, so that lee and "
+                "eaves show; off for what stands far away or in great numbers.")),
+    property<&ModelNode::copies>("copies_m", SPIN_TR("Copies"),
+                                 SPIN_TR("Places (east, north) at which the model stands once more."))
+        .in(Unit::Metre)
+        .range(-1e6, 1e6, 1),
+    property<&ModelNode::copyTurnDegrees>("copy_turn_deg", SPIN_TR("Turn of copies"),
+                                          SPIN_TR("Range within which copies are turned at random."))
+        .in(Unit::Degree)
+        .range(0, 360, 5),
+    property<&ModelNode::copyScale>(
+        "copy_scale", SPIN_TR("Size of copies"),
+        SPIN_TR("Share by which copies are larger or smaller at random: 0.2 gives 0.8 to 1.2."))
+        .in(Unit::Factor)
+        .range(0, 0.9, 0.05),
+    property<&ModelNode::copySeed>("copy_seed", SPIN_TR("Seed of copies"),
+                                   SPIN_TR("Another number turns and scales the copies otherwise."))
+        .range(0, 1000000, 1),
 };
 
 }  // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/property/property_table.h"
+#include "core/nodes/ground_nodes.h"
 
 namespace spin {
 
@@ -36,6 +36,14 @@ struct ModelNode : NodeData {
   Vec3d scale{1, 1, 1};
   double coverCell = 0.15;  ///< m, cells of the cover on this model
   bool catchesSnow = true;
+  GroundType surface = GroundType::Rock;  ///< what the snow lies on
+  double heat = 0.0;                      ///< W/m2 that comes up through the surface: a heated house
+  double dusting = 0.0;                   ///< 0..1, snow in the picture on what carries no cover
+  bool fineCover = true;                  ///< the ground round it has fine cover cells
+  PlanPoints copies;                      ///< m, local: places of further copies
+  double copyTurnDegrees = 360.0;         ///< range of their random turn about z
+  double copyScale = 0.15;                ///< random share by which they are larger or smaller
+  int copySeed = 1;
 };
 extern const NodeType kModelType;
 

@@ -7,6 +7,17 @@
 namespace spin {
 namespace {
 
+constexpr Choice kPhases[] = {
+    {"snow", SPIN_TR("Always snow")},
+    {"by_temperature", SPIN_TR("Snow or rain by temperature")},
+};
+
+constexpr Choice kSuns[] = {
+    {"none", SPIN_TR("None")},
+    {"pictured", SPIN_TR("As in pictures")},
+    {"by_date", SPIN_TR("By date")},
+};
+
 constexpr PropertyRow kWeatherRows[] = {
     property<&WeatherNode::airTemperature>("air_temperature_k", SPIN_TR("Air temperature"),
                                            SPIN_TR("Temperature of the air; sets the density of new snow."))
@@ -29,6 +40,11 @@ constexpr PropertyRow kWeatherRows[] = {
         .in(Unit::PrecipitationRate)
         .range(0, 500.0 / 3600.0, 0.5 / 3600.0)
         .animated(),
+    property<&WeatherNode::phase>(
+        "precipitation_phase", SPIN_TR("Falls as"),
+        SPIN_TR("Snow whatever the air's temperature, or at every place what its air and humidity make of "
+                "it."))
+        .oneOf(kPhases),
     property<&WeatherNode::sunAzimuthDegrees>("sun_azimuth_deg", SPIN_TR("Sun azimuth"),
                                               SPIN_TR("Direction of the sun from north through east."))
         .in(Unit::Degree)
@@ -45,8 +61,59 @@ constexpr PropertyRow kWeatherRows[] = {
                                        SPIN_TR("0 is a clear sky, 1 an overcast one; clouds soften the sun."))
         .in(Unit::Factor)
         .range(0, 1, 0.05)
-        .animated()
+        .animated(),
+    property<&WeatherNode::relativeHumidity>(
+        "relative_humidity", SPIN_TR("Humidity"),
+        SPIN_TR("Relative humidity of the air; dry air lets snow vanish without melting."))
+        .in(Unit::Factor)
+        .range(0, 1, 0.05)
+        .animated(),
+    property<&WeatherNode::source>(
+        "source", SPIN_TR("Station record"),
+        SPIN_TR("Text file of a weather station, a row per step: year, month, day, hour (UTC), shortwave and "
+                "longwave W/m2, snowfall and rainfall kg/(m2 s), air temperature K, humidity %, wind m/s, "
+                "pressure Pa. It replaces the values above but the wind's direction and the speed that tilts "
+                "the fall."))
+        .path(),
+    property<&WeatherNode::start>(
+        "start_utc", SPIN_TR("Film begins"),
+        SPIN_TR("Date and time (UTC) at which the film begins, as 2005-10-01 00:00. Empty: at the begin of "
+                "the station record.")),
+    property<&WeatherNode::sun>(
+        "melting_sun", SPIN_TR("Sun that melts"),
+        SPIN_TR("None: as at night or under the thickest cloud. As in pictures: the sun that azimuth and "
+                "elevation set. By date: where date and place put it, with day, season and the shadow of "
+                "mountains."))
+        .oneOf(kSuns),
+    property<&WeatherNode::lightByDate>(
+        "light_by_date", SPIN_TR("Sun of the date lights"),
+        SPIN_TR("Pictures have the sun of date and place, nights too; off: azimuth and elevation."))
         .affecting(Affects::Picture),
+    property<&WeatherNode::latitudeDegrees>("latitude_deg", SPIN_TR("Latitude"),
+                                            SPIN_TR("Of the scene, north positive; for the sun."))
+        .in(Unit::Degree)
+        .range(-90, 90, 1),
+    property<&WeatherNode::longitudeDegrees>("longitude_deg", SPIN_TR("Longitude"),
+                                             SPIN_TR("Of the scene, east positive; for the sun."))
+        .in(Unit::Degree)
+        .range(-180, 180, 1),
+    property<&WeatherNode::altitudeKnown>(
+        "altitude_known", SPIN_TR("Weather of an altitude"),
+        SPIN_TR("The weather was measured at the altitude below; off: at the terrain's lowest point.")),
+    property<&WeatherNode::altitude>("altitude_m", SPIN_TR("Altitude"),
+                                     SPIN_TR("Height above sea level at which the weather was measured."))
+        .in(Unit::Metre)
+        .range(-500, 9000, 50),
+    property<&WeatherNode::lapseRate>(
+        "lapse_rate_k_m", SPIN_TR("Cooling upwards"),
+        SPIN_TR("How much colder the air is higher up; 6.5 K/km is usual, 0 gives one temperature."))
+        .in(Unit::KelvinPerMetre)
+        .range(-0.02, 0.02, 0.0005),
+    property<&WeatherNode::precipitationGradient>(
+        "precipitation_gradient_m", SPIN_TR("More precipitation upwards"),
+        SPIN_TR("How much more falls higher up, as a share of what falls where the weather was measured."))
+        .in(Unit::PercentPerHundredMetres)
+        .range(-0.002, 0.005, 0.0001),
 };
 
 constexpr Choice kFlakeTypes[] = {

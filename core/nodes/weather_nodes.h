@@ -6,15 +6,33 @@
 
 namespace spin {
 
+/// What falls.
+enum class PrecipitationPhase : std::uint8_t { Snow, ByTemperature };
+
+/// The sun that warms snow. A picture's light is moved for its looks, so it melts nothing unless told to.
+enum class MeltingSun : std::uint8_t { None, Pictured, ByDate };
+
 /// Weather over the whole scene.
 struct WeatherNode : NodeData {
   double airTemperature = 268.15;           ///< K
   double windSpeed = 2.0;                   ///< m/s
   double windFromDegrees = 270.0;           ///< where the wind comes from: 0 north, 90 east
   double precipitationRate = 5.0 / 3600.0;  ///< kg/(m2 s) on level ground
-  double sunAzimuthDegrees = 160.0;         ///< from north through east
+  PrecipitationPhase phase = PrecipitationPhase::Snow;
+  double sunAzimuthDegrees = 160.0;  ///< from north through east
   double sunElevationDegrees = 28.0;
-  double cloudCover = 0.4;  ///< 0 clear .. 1 overcast
+  double cloudCover = 0.4;        ///< 0 clear .. 1 overcast
+  double relativeHumidity = 0.8;  ///< over water, share
+  std::string source;             ///< a station's record instead of the values above; empty = none
+  std::string start;              ///< UTC of film time 0, "2005-10-01 00:00"; empty = that of the record
+  MeltingSun sun = MeltingSun::None;
+  bool lightByDate = false;            ///< pictures do
+  double latitudeDegrees = 47.2;       ///< north positive
+  double longitudeDegrees = 11.3;      ///< east positive
+  bool altitudeKnown = false;          ///< else the weather is that of the terrain's lowest point
+  double altitude = 0.0;               ///< m above sea at which it was measured
+  double lapseRate = 0.0;              ///< K/m by which the air cools upwards
+  double precipitationGradient = 0.0;  ///< 1/m, growth upwards as a share
 };
 extern const NodeType kWeatherType;
 

@@ -20,7 +20,8 @@ SPIN_HD_INLINE ColumnFluxes<V> advanceMeltColumn(SnowColumn<V>& c, const ColumnW
   c.albedo = selectLess(zero, c.ice(), c.albedo, V(p.freshAlbedo));
   f.snowIn = w.snowfall * seconds;
   f.rainIn = w.rainfall * seconds;
-  addSnow(c.snow[0], f.snowIn, minimum(w.airTemperature, zero), newSnowDensityAt(w.airTemperature), c.rest);
+  addSnow(c.snow[0], f.snowIn, minimum(w.airTemperature, zero), newSnowDensityAt(w.airTemperature, p),
+          c.rest);
   V left = meltRate * seconds;
   f.melted = zero;
   for (int i = 0; i < kSnowLayers; ++i) {

@@ -77,7 +77,7 @@ SPIN_HD_INLINE V meltAndDrain(SnowColumn<V>& c, const HeatRow<V, kColumnLayers>&
 /// What falls in the step: snow on the top layer, rain into the snow if there is any, else past it.
 template <class V>
 SPIN_HD_INLINE V takePrecipitation(SnowColumn<V>& c, const ColumnWeather<V>& w, V seconds,
-                                   ColumnFluxes<V>& f) {
+                                   const SnowParameters& p, ColumnFluxes<V>& f) {
   const V zero = lit<V>(0.0);
   const V rest = selectLess(lit<V>(1.0), c.snow[0].ice, c.rest, zero);
   c.rest = c.rest - rest;
@@ -85,7 +85,7 @@ SPIN_HD_INLINE V takePrecipitation(SnowColumn<V>& c, const ColumnWeather<V>& w, 
   f.snowIn = w.snowfall * seconds;
   f.rainIn = w.rainfall * seconds;
   const V cold = minimum(w.airTemperature, zero);
-  addSnow(c.snow[0], f.snowIn, cold, newSnowDensityAt(w.airTemperature), c.rest);
+  addSnow(c.snow[0], f.snowIn, cold, newSnowDensityAt(w.airTemperature, p), c.rest);
   const V caught = selectLess(zero, c.ice(), f.rainIn, zero);
   addMass(c.snow[0].liquid, caught, c.rest);
   f.runoff = f.rainIn - caught;
@@ -104,7 +104,7 @@ SPIN_HD_INLINE ColumnFluxes<V> advanceSnowColumn(SnowColumn<V>& c, const GroundC
   f.melted = f.refrozen = zero;
   // The first snow on bare ground is all new.
   c.albedo = selectLess(zero, c.ice(), c.albedo, V(p.freshAlbedo));
-  const V rainHeat = takePrecipitation(c, w, seconds, f);
+  const V rainHeat = takePrecipitation(c, w, seconds, p, f);
   c.albedo = agedAlbedo(c.albedo, c.surface, w.snowfall, p, seconds);
 
   HeatRow<V, kColumnLayers> h;

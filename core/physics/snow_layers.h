@@ -17,7 +17,8 @@ SPIN_HD_INLINE V snowConductivity(V density) {
 
 /// Density of new snow by air temperature (Hedstrom and Pomeroy 1998), kg/m3; see newSnowDensity().
 template <class V>
-SPIN_HD_INLINE V newSnowDensityAt(V t) {
+SPIN_HD_INLINE V newSnowDensityAt(V t, const SnowParameters& p) {
+  if (p.newSnowDensity > 0.0f) return V(p.newSnowDensity);
   const V cold = minimum(t, lit<V>(0.0));
   return mulAdd(lit<V>(51.3), boundedExp(cold * lit<V>(1.0 / 2.59)), lit<V>(67.9));
 }

@@ -27,8 +27,9 @@ struct SnowParameters {
 
   float coverDepth = 0.1f;  ///< m: snow hides tanh(depth / this) of the ground
 
-  float settledCold = 300.0f;  ///< kg/m3 that cold snow settles to
-  float settledWet = 500.0f;   ///< and wet snow
+  float newSnowDensity = 0.0f;  ///< kg/m3; 0 = by the air's temperature
+  float settledCold = 300.0f;   ///< kg/m3 that cold snow settles to
+  float settledWet = 500.0f;    ///< and wet snow
   float settlingSeconds = 200.0f * 3600.0f;
 
   float heldWater = 0.03f;  ///< share of the pores that liquid water is held in

@@ -44,6 +44,14 @@ UnitInfo unitInfo(Unit unit) {
       return {"Pa", 1.0, 0.0};
     case Unit::PerMetre:
       return {"1/m", 1.0, 0.0};
+    case Unit::KelvinPerMetre:
+      return {"K/km", 1000.0, 0.0};
+    case Unit::PercentPerHundredMetres:
+      return {"%/100 m", 1e4, 0.0};
+    case Unit::WattPerSquareMetre:
+      return {"W/m\u00b2", 1.0, 0.0};
+    case Unit::KilogramPerSquareMetreDayKelvin:
+      return {"mm/(d K)", 86400.0, 0.0};
   }
   SPIN_CHECK(false, "unit without a row");
 }

@@ -39,6 +39,10 @@ enum class Unit {
   PascalSecond,
   Pascal,
   PerMetre,
+  KelvinPerMetre,
+  PercentPerHundredMetres,  ///< of a share per metre
+  WattPerSquareMetre,
+  KilogramPerSquareMetreDayKelvin,  ///< of kg/(m2 s K)
 };
 
 struct UnitInfo {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <QFile>
 #include <algorithm>
 #include <mutex>
 #include <optional>
@@ -11,7 +12,9 @@
 #include "core/fields/content_hash.h"
 #include "core/nodes/ground_nodes.h"
 #include "core/nodes/terrain_node.h"
+#include "core/nodes/weather_nodes.h"
 #include "core/scene/asset_file.h"
+#include "core/sim/model_copies.h"
 
 namespace spin {
 namespace {
@@ -22,6 +25,7 @@ constexpr std::size_t kMaxEntries = 256;
 struct Entry {
   std::shared_ptr<const TerrainData> terrain;
   std::shared_ptr<const ModelData> model;
+  std::shared_ptr<const WeatherSeries> weather;
   Hash128 content;  ///< as decoded
   Hash128 file;     ///< bytes on disk
   std::uint64_t lastUsed = 0;
@@ -33,6 +37,31 @@ std::shared_ptr<const TerrainData> scaled(const std::shared_ptr<const TerrainDat
   for (float& height : copy->heights.values)
     height = static_cast<float>(static_cast<double>(height) * factor);
   return copy;
+}
+
+/// Text files are read here: no library that could fall over has a part in it.
+Result<WeatherSeries> readWeatherFile(const std::string& path) {
+  constexpr qint64 kMostBytes = 1 << 30;
+  QFile file(QString::fromStdString(path));
+  if (!file.open(QIODevice::ReadOnly))
+    return badInput("The weather could not be read", path, file.errorString().toStdString(),
+                    "Check that the file is there and may be read");
+  if (file.size() > kMostBytes)
+    return badInput("The weather could not be read", path, "it is larger than 1 GiB", "Cut out the season");
+  const QByteArray bytes = file.readAll();
+  return readWeather({bytes.constData(), static_cast<std::size_t>(bytes.size())}, path);
+}
+
+void takeWeather(const SceneNode& node, const std::shared_ptr<const WeatherSeries>& weather,
+                 SceneSnapshot& snapshot, std::vector<AssetLibrary::Issue>& issues) {
+  if (snapshot.first<WeatherNode>() != &node) return;
+  snapshot.weather = weather;
+  const std::string gaps = weather->gapReport();
+  if (!gaps.empty())
+    issues.push_back({node.id,
+                      badInput("The weather record has gaps", node.id, gaps,
+                               "Nothing falls in gaps; the rest comes from the hours and days beside them"),
+                      true});
 }
 
 /// Columns and rows of a painted layer; {0, 0} where nothing is painted.
@@ -73,6 +102,14 @@ struct AssetLibrary::State {
   std::map<std::string, Hash128> fileHashes;
   std::map<std::string, Entry> entries;
   std::map<std::pair<const TerrainData*, double>, std::shared_ptr<const TerrainData>> scaledTerrains;
+  /// A model with its copies, by all that they depend on.
+  struct Copied {
+    std::shared_ptr<const ModelData> model;
+    std::shared_ptr<const TerrainData> terrain;
+    Hash128 node;
+    std::shared_ptr<const ModelData> copied;
+  };
+  std::map<std::string, Copied> copied;  ///< by node id
   std::uint64_t snapshots = 0;
   std::mutex reading;  ///< one file at a time, so that none is read twice
 
@@ -91,6 +128,11 @@ struct AssetLibrary::State {
       if (!read) return read.error();
       entry.terrain = read->terrain;
       entry.content = contentHash(*entry.terrain);
+    } else if (node.as<WeatherNode>()) {
+      Result<WeatherSeries> read = readWeatherFile(path);
+      if (!read) return read.error();
+      entry.weather = std::make_shared<const WeatherSeries>(std::move(*read));
+      entry.content = contentHash(*entry.weather);
     } else {
       Result<ModelImport> read = reader->readModel(path, importOptionsOf(node), cancel);
       if (!read) return read.error();
@@ -119,6 +161,18 @@ struct AssetLibrary::State {
     std::shared_ptr<const TerrainData>& known = scaledTerrains[{terrain.get(), factor}];
     if (!known) known = scaled(terrain, factor);
     return known;
+  }
+
+  std::shared_ptr<const ModelData> modelWithCopies(const std::shared_ptr<const ModelData>& model,
+                                                   const SceneSnapshot& scene, const SceneNode& node) {
+    Hasher hasher;
+    scene.hashNode(node, 0.0, hasher);
+    const Hash128 key = hasher.digest();
+    const std::lock_guard lock(mutex);
+    Copied& known = copied[node.id];
+    if (known.model != model || known.terrain != scene.terrain || known.node != key)
+      known = {model, scene.terrain, key, withCopies(model, scene, node)};
+    return known.copied;
   }
 
   void dropUnused() {
@@ -155,7 +209,7 @@ Result<SnapshotPointer> AssetLibrary::snapshot(const Scene& scene, const std::st
     policy = m_state->policy;
   }
   for (const SceneNode& node : snapshot->nodes) {
-    const bool hasAsset = node.as<TerrainNode>() || node.as<ModelNode>();
+    const bool hasAsset = node.as<TerrainNode>() || node.as<ModelNode>() || node.as<WeatherNode>();
     const std::string source = sourceOf(node);
     if (!hasAsset || !node.enabled || source.empty()) continue;
     const Error cancelled{ErrorKind::Cancelled, "Reading the scene's files was stopped", {}, {}, {}};
@@ -172,9 +226,14 @@ Result<SnapshotPointer> AssetLibrary::snapshot(const Scene& scene, const std::st
     if (terrain && entry->terrain)
       snapshot->terrain = m_state->scaledTerrain(entry->terrain, terrain->verticalScale);
     if (entry->model) snapshot->models[node.id] = entry->model;
+    if (entry->weather) takeWeather(node, entry->weather, *snapshot, issues);
     snapshot->assetHashes[node.id] = entry->content;
     fileHashes[node.id] = entry->file;
   }
+  // Copies stand on the ground, so they come when it is there.
+  for (const SceneNode& node : snapshot->nodes)
+    if (const auto model = snapshot->models.find(node.id); model != snapshot->models.end())
+      model->second = m_state->modelWithCopies(model->second, *snapshot, node);
   checkLayerSizes(*snapshot, issues);
   m_state->dropUnused();
   const std::lock_guard lock(m_state->mutex);
@@ -209,6 +268,7 @@ std::map<std::string, Hash128> AssetLibrary::fileHashes() const {
 void AssetLibrary::clear() {
   const std::lock_guard lock(m_state->mutex);
   m_state->entries.clear();
+  m_state->copied.clear();
   m_state->scaledTerrains.clear();
 }
 

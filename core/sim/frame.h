@@ -21,8 +21,7 @@ namespace spin {
 ///   emitted = deposited + shed + aloft + left + sampling residual (+ later terms).
 /// Every term is counted where it happens; none is computed as the remainder.
 struct BudgetTerm {
-  std::string
-      name;  ///< "emitted", "fallen_before", "deposited", "shed", "aloft", "left", "sampling_residual"
+  std::string name;  ///< "emitted", "deposited", "runoff", ...
   bool source = false;
   double kilograms = 0.0;
 };
@@ -101,8 +100,10 @@ struct CoverExposure {
 struct CoverPart final : FramePart {
   static constexpr const char* kKind = "cover";
   struct Values {
-    std::vector<float> swe;    ///< kg/m2
-    std::vector<float> depth;  ///< m, vertical
+    std::vector<float> swe;               ///< kg/m2
+    std::vector<float> depth;             ///< m, vertical
+    std::vector<float> liquid = {};       ///< kg/m2 of water within the snow; empty where nothing melts
+    std::vector<float> temperature = {};  ///< K of the surface, snow or bare; empty where nothing melts
   };
   std::shared_ptr<const CoverLayout> layout;
   std::shared_ptr<const CoverExposure> exposure;  ///< null: not known

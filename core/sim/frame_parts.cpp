@@ -222,7 +222,9 @@ std::string ParticlePart::firstNonFinite() const {
 
 std::size_t CoverPart::memoryBytes() const {
   std::size_t bytes = 0;
-  for (const Values& grid : values) bytes += (grid.swe.size() + grid.depth.size()) * sizeof(float);
+  for (const Values& grid : values)
+    bytes +=
+        (grid.swe.size() + grid.depth.size() + grid.liquid.size() + grid.temperature.size()) * sizeof(float);
   if (exposure)
     for (const std::vector<float>& grid : exposure->grids) bytes += grid.size() * sizeof(float);
   return bytes;
@@ -236,6 +238,8 @@ void CoverPart::save(ByteWriter& out) const {
   for (const Values& grid : values) {
     out.putArray(grid.swe);
     out.putArray(grid.depth);
+    out.putArray(grid.liquid);
+    out.putArray(grid.temperature);
   }
 }
 
@@ -249,9 +253,11 @@ std::shared_ptr<FramePart> CoverPart::load(ByteReader& in) {
       in.get<std::uint64_t>() != part->layout->grids.size())
     return nullptr;
   for (const CoverGrid& grid : part->layout->grids) {
-    Values values{in.getArray<float>(), in.getArray<float>()};
+    Values values{in.getArray<float>(), in.getArray<float>(), in.getArray<float>(), in.getArray<float>()};
     const std::size_t cells = grid.base.size();
     if (values.swe.size() != cells || values.depth.size() != cells) return nullptr;
+    if (values.liquid.size() != values.temperature.size()) return nullptr;
+    if (!values.liquid.empty() && values.liquid.size() != cells) return nullptr;
     part->values.push_back(std::move(values));
   }
   return in.ok() ? part : nullptr;
@@ -264,6 +270,8 @@ std::string CoverPart::firstNonFinite() const {
     const std::pair<const char*, const std::vector<float>*> fields[] = {
         {"swe", &values[g].swe},
         {"depth", &values[g].depth},
+        {"liquid", &values[g].liquid},
+        {"temperature", &values[g].temperature},
         {"exposure", exposure ? &exposure->grids[g] : &kNone}};
     for (const auto& [name, field] : fields)
       for (std::size_t cell = 0; cell < field->size(); ++cell)

@@ -6,6 +6,7 @@
 #include "core/fields/terrain_surface.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
+#include "core/nodes/weather_nodes.h"
 
 namespace spin {
 namespace {
@@ -78,6 +79,8 @@ void SceneSnapshot::hashNode(const SceneNode& node, double filmTime, Hasher& has
     hasher.add(asset->second);
   else if (node.as<TerrainNode>() && terrain)
     hasher.add(contentHash(*terrain));
+  else if (node.as<WeatherNode>() && weather)
+    hasher.add(contentHash(*weather));
   else if (model != models.end() && model->second)
     hasher.add(contentHash(*model->second));
   addPainted(hasher, node.painted);

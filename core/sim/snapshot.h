@@ -10,6 +10,7 @@
 #include "core/base/hash.h"
 #include "core/fields/mesh.h"
 #include "core/fields/raster.h"
+#include "core/fields/weather_series.h"
 #include "core/property/scene_node.h"
 
 namespace spin {
@@ -27,6 +28,7 @@ struct SceneSnapshot {
   std::vector<SceneNode> nodes;                ///< all nodes, disabled ones too
   std::shared_ptr<const TerrainData> terrain;  ///< null: no terrain; vertical_scale is applied
   std::map<std::string, std::shared_ptr<const ModelData>> models;  ///< by id of the model node
+  std::shared_ptr<const WeatherSeries> weather;                    ///< record of the weather node; null: none
   std::map<std::string, Hash128> assetHashes;  ///< content of each node's file, by node id
 
   /// The first enabled node of a type; nullptr if there is none.

@@ -1,7 +1,14 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/base/log.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/physics/snow_density.h"
+#include "core/sim/scene_time.h"
+#include "core/snow/cover_cells.h"
 #include "core/snow/exposure_process.h"
 #include "core/snow/snow_inputs.h"
 #include "core/snow/snow_processes.h"
@@ -9,17 +16,37 @@
 namespace spin {
 namespace {
 
-/// Snow on one grid of the layout.
-struct CoverState {
-  std::vector<double> swe;    ///< kg/m2
-  std::vector<double> depth;  ///< m
-};
-
 /// Mass since frame 0, kg; what lies on the cells is summed from them.
 struct Account {
   double emitted = 0.0, shed = 0.0, left = 0.0, residual = 0.0, aloft = 0.0;
-  double before = 0.0;  ///< fell before frame 0; a part of it is shed, left or residual
+  double before = 0.0;   ///< fell before frame 0 or is painted; a part of it is shed, left or residual
+  double gained = 0.0;   ///< by more precipitation higher up
+  double cleared = 0.0;  ///< from ground that is kept clear
+  double runoff = 0.0, sublimated = 0.0;
+  double melted = 0.0, refrozen = 0.0;  ///< within the cover
+  double clamped = 0.0;                 ///< growth that the published law asked for and did not get
+  double guardedSeconds = 0.0;          ///< m2 s at that law's pole
 };
+
+/// A date that cannot be read is an error; a film that outlasts its record is worth a word.
+Status checkDates(const SceneSnapshot& scene) {
+  const auto weather = scene.settings<WeatherNode>(0.0);
+  if (!weather.start.empty())
+    if (const Result<std::int64_t> start = parseDateTime(weather.start); !start) return start.error();
+  if (!scene.weather) return {};
+  const double begin = utcAt(scene, 0.0).value_or(0.0);
+  const double last =
+      utcAt(scene, scene.timeOf(scene.settings<SimulationNode>(0.0).lastFrame).weather).value_or(begin);
+  const auto end =
+      scene.weather->start + scene.weather->step * static_cast<std::int64_t>(scene.weather->records.size());
+  if (begin < static_cast<double>(scene.weather->start) || last > static_cast<double>(end) + 1.0)
+    logWarning(fmt::format(
+        "The film goes from {} to {} (UTC), the station record from {} to {}: beyond it nothing "
+        "falls and its nearest values hold",
+        dateTimeText(static_cast<std::int64_t>(begin)), dateTimeText(static_cast<std::int64_t>(last)),
+        dateTimeText(scene.weather->start), dateTimeText(end)));
+  return {};
+}
 
 class CoverProcess final : public Process {
  public:
@@ -29,34 +56,35 @@ class CoverProcess final : public Process {
     hasher.add("cover");
     hashSnowWeather(input, hasher);
     hashSnowGround(input, hasher);
+    hashSnowCover(input, hasher);
   }
 
   Status begin(const SceneSnapshot& scene, ProcessContext& context) override {
     takeInputs(context);
     SPIN_CHECK(m_ground && m_field, "the exposure comes before the cover");
-    m_grids.clear();
-    for (const CoverGrid& grid : m_ground->layout->grids)
-      m_grids.push_back(
-          {std::vector<double>(grid.base.size(), 0.0), std::vector<double>(grid.base.size(), 0.0)});
+    if (const Status dated = checkDates(scene); !dated) return dated;
+    m_cells = std::make_unique<CoverCells>(scene, *m_ground, context.backend);
     m_account = {};
     const auto snowfall = scene.settings<SnowfallNode>(0.0);
     const double before = snowfall.oldSnowDepth * snowfall.oldSnowDensity;
-    layDown(before, snowfall.oldSnowDensity, context);
-    m_account.before = before * m_field->rates.emitted;
+    const double painted = m_cells->layOld(scene, *m_field, before, snowfall.oldSnowDensity);
+    bookFall(before);
+    m_account.before = before * m_field->rates.emitted + painted;
     fillAir(scene, 0.0);
     return {};
   }
 
   Status step(const StepInput& input, ProcessContext& context) override {
     takeInputs(context);
-    SPIN_CHECK(m_ground && m_field, "the exposure comes before the cover");
-    const SnowWeather weather = snowWeatherAt(input.scene, middleFilm(input));
-    const auto settings = input.scene.settings<SimulationNode>(middleFilm(input));
-    const double density =
-        settings.newSnowDensity > 0.0 ? settings.newSnowDensity : newSnowDensity(weather.airTemperature);
-    const double fallen = weather.precipitation * (input.to.weather - input.from.weather);  // kg/m2
-    layDown(fallen, density, context);
-    m_account.emitted += fallen * m_field->rates.emitted;
+    SPIN_CHECK(m_cells && m_field, "begin() comes before step()");
+    const TimeSpan whole{input.from, input.to};
+    const int parts =
+        std::max(static_cast<int>(std::ceil(whole.seconds() / CoverCells::kMostStep - 1e-9)), 1);
+    for (int k = 0; k < parts; ++k) {
+      if (context.cancel.cancelled()) return cancelledError();
+      stepPart(input.scene, whole.part(double(k) / parts, double(k + 1) / parts), context);
+      if (context.progress) context.progress(double(k + 1) / parts);
+    }
     fillAir(input.scene, input.to.film);
     return {};
   }
@@ -65,46 +93,28 @@ class CoverProcess final : public Process {
     auto part = std::make_shared<CoverPart>();
     part->layout = m_ground->layout;
     part->exposure = m_exposure;
-    part->values.resize(m_grids.size());
-    double deposited = 0.0, deepest = 0.0;
-    for (std::size_t g = 0; g < m_grids.size(); ++g) {
-      const CoverState& state = m_grids[g];
-      const std::vector<float>& area = m_ground->layout->grids[g].area.values;
-      CoverPart::Values& values = part->values[g];
-      values.swe.assign(state.swe.begin(), state.swe.end());
-      values.depth.assign(state.depth.begin(), state.depth.end());
-      for (std::size_t c = 0; c < area.size(); ++c) {
-        deposited += state.swe[c] * static_cast<double>(area[c]);
-        deepest = std::max(deepest, state.depth[c]);
-      }
+    float deepest = 0.0f;
+    for (std::size_t g = 0; g < m_ground->layout->grids.size(); ++g) {
+      part->values.push_back(m_cells->valuesOf(g));
+      for (const float depth : part->values.back().depth) deepest = std::max(deepest, depth);
     }
     frame.parts["cover"] = std::move(part);
-    frame.info.figures["deepest_snow_m"] = deepest;
-    publishBudget(deposited, frame.info);
+    frame.info.figures["deepest_snow_m"] = static_cast<double>(deepest);
+    publishBudget(m_cells->deposited(), frame.info);
   }
 
   void saveState(ByteWriter& out) const override {
     out.put(m_account);
-    out.put(static_cast<std::uint64_t>(m_grids.size()));
-    for (const CoverState& grid : m_grids) {
-      out.putArray(grid.swe);
-      out.putArray(grid.depth);
-    }
+    m_cells->save(out);
   }
 
-  Status loadState(const SceneSnapshot&, ProcessContext& context, ByteReader& in) override {
+  Status loadState(const SceneSnapshot& scene, ProcessContext& context, ByteReader& in) override {
     takeInputs(context);
     SPIN_CHECK(m_ground, "the exposure comes before the cover");
-    const std::vector<CoverGrid>& grids = m_ground->layout->grids;
+    m_cells = std::make_unique<CoverCells>(scene, *m_ground, context.backend);
     m_account = in.get<Account>();
-    bool fits = in.get<std::uint64_t>() == grids.size() && in.ok();
-    m_grids.clear();
-    for (std::size_t g = 0; fits && g < grids.size(); ++g) {
-      CoverState state{in.getArray<double>(), in.getArray<double>()};
-      fits = in.ok() && state.swe.size() == grids[g].base.size() && state.depth.size() == state.swe.size();
-      m_grids.push_back(std::move(state));
-    }
-    if (!fits) return badInput("The checkpoint could not be used", "cover", "its grids do not fit the scene");
+    if (!in.ok() || !m_cells->load(in))
+      return badInput("The checkpoint could not be used", "cover", "its grids do not fit the scene");
     return {};
   }
 
@@ -112,23 +122,39 @@ class CoverProcess final : public Process {
     const SnowGroundPointer ground = makeSnowGround(scene);
     double cells = 0.0;
     for (const CoverGrid& grid : ground->layout->grids) cells += static_cast<double>(grid.base.size());
-    stateBytes = cells * 2.0 * sizeof(double);
-    frameBytes = cells * 3.0 * sizeof(float);
+    const bool ages = scene.settings<SnowCoverNode>(0.0).law != CoverLaw::Lies;
+    stateBytes = cells * (2.0 * sizeof(double) + CoverSite::kBytesPerCell);
+    frameBytes = cells * (ages ? 5.0 : 3.0) * sizeof(float);
   }
 
  private:
-  /// Books where snow goes of which so much falls on open level ground, kg/m2; who emitted it is the
-  /// caller's.
-  void layDown(double fallen, double density, ProcessContext& context) {
-    for (std::size_t g = 0; g < m_grids.size(); ++g) {
-      CoverState& state = m_grids[g];
-      const std::vector<float>& held = m_field->grids[g].held;
-      context.backend.forEach("cover", held.size(), [&](std::size_t c) {
-        const double gain = fallen * static_cast<double>(held[c]);
-        state.swe[c] += gain;
-        state.depth[c] += gain / density;
-      });
-    }
+  void stepPart(const SceneSnapshot& scene, const TimeSpan& span, ProcessContext& context) {
+    const CoverWeather weather = coverWeather(scene, span);
+    const double density = newSnowDensityOf(scene, weather.step, span.middleFilm());
+    const double fallen = weather.precipitation * span.seconds();  // kg/m2
+    const CoverCells::Fallen beyond =
+        m_cells->fall(scene, span.middleFilm(), *m_field, fallen, density, context.backend);
+    bookFall(fallen);
+    m_account.emitted += fallen * m_field->rates.emitted;
+    m_account.gained += beyond.gained;
+    m_account.cleared += beyond.cleared;
+    const SnowStepTotals totals = m_cells->advance(scene, span, fallen, context.backend, context.isa);
+    m_account.runoff += totals[SnowStepTotals::kRunoff];
+    m_account.sublimated += totals[SnowStepTotals::kSublimated];
+    m_account.melted += totals[SnowStepTotals::kMelted];
+    m_account.refrozen += totals[SnowStepTotals::kRefrozen];
+    m_account.clamped += totals[SnowStepTotals::kClampedGrowth];
+    m_account.guardedSeconds += totals[SnowStepTotals::kGuardedArea] * span.seconds();
+  }
+
+  static double newSnowDensityOf(const SceneSnapshot& scene, const SnowStepWeather& weather, double film) {
+    const double set = scene.settings<SimulationNode>(film).newSnowDensity;
+    return set > 0.0 ? set : newSnowDensity(celsiusToKelvin(static_cast<double>(weather.airTemperature)));
+  }
+
+  /// Books where precipitation goes of which so much falls on open level ground, kg/m2, but for the cells;
+  /// who emitted it is the caller's.
+  void bookFall(double fallen) {
     const SnowRates& rates = m_field->rates;
     m_account.shed += fallen * rates.shed;
     m_account.left += fallen * rates.left;
@@ -156,11 +182,20 @@ class CoverProcess final : public Process {
   void publishBudget(double deposited, FrameInfo& info) const {
     info.budget.set("emitted", true, m_account.emitted);
     if (m_account.before > 0.0) info.budget.set("fallen_before", true, m_account.before);
+    if (m_account.gained != 0.0) info.budget.set("altitude_gain", true, m_account.gained);
     info.budget.set("deposited", false, deposited);
+    if (m_account.cleared != 0.0) info.budget.set("cleared", false, m_account.cleared);
+    if (m_account.runoff != 0.0) info.budget.set("runoff", false, m_account.runoff);
+    if (m_account.sublimated != 0.0) info.budget.set("sublimated", false, m_account.sublimated);
     info.budget.set("shed", false, m_account.shed);
     info.budget.set("aloft", false, m_account.aloft);
     info.budget.set("left", false, m_account.left);
     info.budget.set("sampling_residual", false, m_account.residual);
+    if (m_account.melted > 0.0) info.figures["melted_kg"] = m_account.melted;
+    if (m_account.refrozen > 0.0) info.figures["refrozen_kg"] = m_account.refrozen;
+    if (m_account.clamped > 0.0) info.figures["published_law_growth_refused_kg"] = m_account.clamped;
+    if (m_account.guardedSeconds > 0.0)
+      info.figures["published_law_guarded_m2_h"] = m_account.guardedSeconds / 3600.0;
     const SnowRates& rates = m_field->rates;
     if (!(rates.emitted > 0.0)) return;
     // The sinks' residuals may cancel in the budget, so each is shown too.
@@ -173,7 +208,7 @@ class CoverProcess final : public Process {
   SnowGroundPointer m_ground;
   ExposureFieldPointer m_field;
   std::shared_ptr<const CoverExposure> m_exposure;  ///< of the field; frames share it
-  std::vector<CoverState> m_grids;                  ///< by the layout's grids
+  std::unique_ptr<CoverCells> m_cells;
   Account m_account;
 };
 

@@ -15,7 +15,9 @@ namespace spin {
 /// What the exposure depends on besides geometry.
 struct ExposureSettings {
   FallCone cone;
-  int rays = 64;  ///< per cell, >= 1
+  int rays = 64;          ///< per cell, >= 1
+  int mapDirections = 0;  ///< occlusion maps for the terrain and each patch; 0 = rays
+  int mapSize = 1024;     ///< texels along a map at most
   SlopeHold hold;
   double noise = 0.0;  ///< amplitude of the cover's unevenness, 0..1
   std::uint64_t seed = 1;

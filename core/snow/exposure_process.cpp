@@ -13,9 +13,12 @@ ExposureSettings exposureSettings(const SceneSnapshot& scene, double filmTime) {
   const SnowWeather weather = snowWeatherAt(scene, filmTime);
   const auto simulation = scene.settings<SimulationNode>(filmTime);
   ExposureSettings settings;
-  settings.cone = fallCone(weather.wind, weather.spectrum.meanFallSpeed,
+  settings.cone = fallCone(weather.wind, directingSpectrum(scene, weather).meanFallSpeed,
                            degreesToRadians(weather.snowfall.fallSpreadDegrees));
   settings.rays = std::max(simulation.exposureRays, 1);
+  if (simulation.exposureMethod == ExposureMethod::Maps)
+    settings.mapDirections = std::clamp(simulation.exposureDirections, 1, settings.rays);
+  settings.mapSize = std::max(simulation.exposureMapSize, 64);
   settings.hold.holdsBelow = degreesToRadians(simulation.holdsBelowDegrees);
   settings.hold.shedsAbove =
       degreesToRadians(std::max(simulation.shedsAboveDegrees, simulation.holdsBelowDegrees));

@@ -51,7 +51,7 @@ SnowCells::SnowCells(std::size_t count, std::vector<GroundMaterial> materials,
   for (std::vector<float>& field : m_state) field.assign(padded, 0.0f);
   m_state[kAlbedoField].assign(padded, parameters.freshAlbedo);
   for (std::vector<float>& field : m_settings) field.assign(padded, 0.0f);
-  for (const SnowCellSetting ones : {kBeamFactor, kSkyView, kSnowFactor})
+  for (const SnowCellSetting ones : {kBeamFactor, kSkyView, kFallFactor})
     m_settings[ones].assign(padded, 1.0f);
   m_settings[kCellArea].assign(padded, 1.0f);
   std::fill(m_settings[kCellArea].begin() + static_cast<std::ptrdiff_t>(count), m_settings[kCellArea].end(),
@@ -102,6 +102,7 @@ SnowStepTotals SnowCells::advance(const SnowStepWeather& weather, CpuBackend& ba
   view.law = law;
   view.degreeDay = degreeDay;
   view.published = published;
+  view.groundKnown = groundKnown;
   const SnowCellsLoop loop = snowCellsLoopFor(isa);
   const std::size_t padded = m_runoff.size();
   std::vector<SnowStepTotals> chunks((padded + kCells - 1) / kCells);
@@ -114,10 +115,21 @@ SnowStepTotals SnowCells::advance(const SnowStepWeather& weather, CpuBackend& ba
 }
 
 double SnowCells::mass() const {
+  return mass(0, m_count);
+}
+
+double SnowCells::mass(std::size_t begin, std::size_t end) const {
   double mass = 0.0;
-  for (std::size_t i = 0; i < m_count; ++i)
+  for (std::size_t i = begin; i < end; ++i)
     mass += static_cast<double>(m_settings[kCellArea][i]) * columnMass(column(i));
   return mass;
+}
+
+bool SnowCells::setState(std::array<std::vector<float>, kSnowStateFields> state) {
+  for (const std::vector<float>& field : state)
+    if (field.size() != m_runoff.size()) return false;
+  m_state = std::move(state);
+  return true;
 }
 
 double SnowCells::energy() const {

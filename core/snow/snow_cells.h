@@ -22,9 +22,11 @@ class SnowCells {
   MeltLaw law = MeltLaw::EnergyBalance;
   DegreeDayLaw degreeDay;
   PublishedMeltLaw published;
+  bool groundKnown = false;  ///< kDeepTemperature rules the published law, else the air's temperature
 
   /// By cell, `size()` of them count.
   std::vector<float>& setting(SnowCellSetting setting) { return m_settings[setting]; }
+  const std::vector<float>& setting(SnowCellSetting setting) const { return m_settings[setting]; }
   void setMaterial(std::size_t cell, std::uint8_t material);
   const GroundMaterial& material(std::size_t cell) const { return m_materials[m_material[cell]]; }
   /// Soil temperatures from the top and the surface's, K above 273.15 K.
@@ -34,6 +36,13 @@ class SnowCells {
   void setColumn(std::size_t cell, const SnowColumn<float>& column);
   /// kg/m2 that ran off in the last step.
   float runoff(std::size_t cell) const { return m_runoff[cell]; }
+
+  /// kg of snow and water on some cells.
+  double mass(std::size_t begin, std::size_t end) const;
+  /// The state by array, padded; for checkpoints.
+  const std::array<std::vector<float>, kSnowStateFields>& state() const { return m_state; }
+  /// False if the sizes do not fit.
+  bool setState(std::array<std::vector<float>, kSnowStateFields> state);
 
   /// One step of an hour or less. Longer steps are the caller's to cut.
   SnowStepTotals advance(const SnowStepWeather& weather, CpuBackend& backend, Isa isa = bestIsa());

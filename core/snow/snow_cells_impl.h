@@ -100,8 +100,9 @@ SPIN_HD_INLINE ColumnWeather<Pack> loadWeather(const SnowCellsView& view, std::s
     snow = all * snowShare(w.airTemperature, relative);
     rain = all - snow;
   }
-  w.snowfall = snow * Pack::load(view.settings[kSnowFactor] + i);
-  w.rainfall = rain;
+  const Pack factor = Pack::load(view.settings[kFallFactor] + i);
+  w.snowfall = snow * factor;
+  w.rainfall = rain * factor;
   w.groundHeat = Pack::load(view.settings[kGroundHeat] + i);
   return w;
 }
@@ -139,8 +140,9 @@ struct LaneSums {
 SPIN_HD_INLINE Pack meltRate(const SnowCellsView& view, const ColumnWeather<Pack>& w,
                              const GroundColumn<Pack>& g, Pack ice, Pack area, LaneSums& sums) {
   if (view.law == MeltLaw::DegreeDay) return degreeDayMelt(view.degreeDay, w.airTemperature);
-  // The law knows no soil: the ground's surface has the air's temperature.
-  const PublishedMelt<Pack> melt = publishedMelt(view.published, g.conductivity, w.airTemperature);
+  // The law knows no soil: where nobody tells, the ground's surface has the air's temperature.
+  const PublishedMelt<Pack> melt =
+      publishedMelt(view.published, g.conductivity, view.groundKnown ? g.deepTemperature : w.airTemperature);
   const Pack covered = selectLess(Pack(0.0f), ice, area, Pack(0.0f));
   sums.add(SnowStepTotals::kGuardedArea, melt.guarded * covered);
   sums.add(SnowStepTotals::kClampedGrowth, melt.negative * Pack(view.weather.seconds) * covered);

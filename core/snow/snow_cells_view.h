@@ -23,9 +23,10 @@ enum SnowCellSetting : std::size_t {
   kBeamFactor,       ///< direct light on the surface over that on level ground; 0 in shadow
   kSkyView,          ///< share of the sky's hemisphere that the cell sees
   kAirOffset,        ///< K on the air temperature
-  kSnowFactor,       ///< on the snowfall
+  kFallFactor,       ///< on snowfall and rainfall
   kGroundHeat,       ///< W/m2 into the soil
-  kDeepTemperature,  ///< K above 273.15 K, with materials that have a deepConductance
+  kDeepTemperature,  ///< K above 273.15 K, with materials that have a deepConductance; where the ground's
+                     ///< temperature is known, that of the published law too
   kCellArea,         ///< m2, weight in sums; 0 for cells that are none
   kSnowCellSettings
 };
@@ -94,6 +95,7 @@ struct SnowCellsView {
   MeltLaw law = MeltLaw::EnergyBalance;
   DegreeDayLaw degreeDay;
   PublishedMeltLaw published;
+  bool groundKnown = false;
 };
 
 /// Advances the cells [begin, end), both multiples of kSnowCellPadding, and sums what crossed their borders.

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/snow/snow_inputs.h"
 
+#include "core/nodes/cover_nodes.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
 #include "core/nodes/weather_nodes.h"
+#include "core/snow/ground_layers.h"
 
 namespace spin {
 
@@ -38,6 +40,12 @@ void hashSnowWeather(const StepInput& input, Hasher& hasher) {
   hashAll(input.scene.all<WeatherNode>());
   hashAll(input.scene.all<SnowfallNode>());
   hashAll(input.scene.all<SimulationNode>());
+  // The light of pictures counts only where it melts.
+  for (const double film : {input.from.film, middleFilm(input), input.to.film}) {
+    const auto weather = input.scene.settings<WeatherNode>(film);
+    if (weather.sun == MeltingSun::Pictured)
+      hasher.add(weather.sunAzimuthDegrees).add(weather.sunElevationDegrees);
+  }
 }
 
 void hashSnowGround(const StepInput& input, Hasher& hasher) {
@@ -49,6 +57,18 @@ void hashSnowGround(const StepInput& input, Hasher& hasher) {
     // A key at any time decides whether the model has patches at all.
     hasher.add(modelTurns(*node));
   }
+}
+
+void hashSnowCover(const StepInput& input, Hasher& hasher) {
+  const auto hashAll = [&](const auto& nodes) {
+    for (const SceneNode* node : nodes)
+      for (const double film : {input.from.film, middleFilm(input), input.to.film})
+        input.scene.hashNode(*node, film, hasher);
+  };
+  hashAll(input.scene.all<SnowCoverNode>());
+  hashAll(input.scene.all<HeatSourceNode>());
+  hashGroundLayers(input, hasher);
+  hashKeepClear(input, hasher);
 }
 
 }  // namespace spin

@@ -16,6 +16,8 @@ inline double middleFilm(const StepInput& input) {
 void hashSnowWeather(const StepInput& input, Hasher& hasher);
 /// Whether a model turns or changes size at any time of the film: it keeps no snow then.
 bool modelTurns(const SceneNode& model);
+/// Adds what rules the lying snow: its settings, layers of the ground, sources of heat.
+void hashSnowCover(const StepInput& input, Hasher& hasher);
 /// Adds terrain and models where they stand in the middle of the step.
 void hashSnowGround(const StepInput& input, Hasher& hasher);
 

@@ -15,11 +15,15 @@ const FlakeFallLaw& fallLaw(FlakeType type);
 struct SnowWeather {
   Vec3d wind{};                 ///< m/s
   double precipitation = 0.0;   ///< kg/(m2 s) of snow on level ground, rate factor included
+  double rainfall = 0.0;        ///< kg/(m2 s) that falls as rain
   double airTemperature = 0.0;  ///< K
   SnowfallNode snowfall;
   SizeSpectrum spectrum;
 };
 SnowWeather snowWeatherAt(const SceneSnapshot& scene, double filmTime);
+/// Sizes that rule the directions of fall: those at the weather's rate, or at the mean rate of a station's
+/// record, lest every hour asks for new rays.
+SizeSpectrum directingSpectrum(const SceneSnapshot& scene, const SnowWeather& weather);
 
 /// Directions that snow comes down in: uniform in solid angle within a cone about the mean fall velocity.
 struct FallCone {

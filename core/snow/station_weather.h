@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/base/units.h"
+#include "core/fields/weather_series.h"
 #include "core/physics/sunlight.h"
 #include "core/snow/snow_cells_view.h"
-#include "core/snow/weather_series.h"
 
 namespace spin {
 

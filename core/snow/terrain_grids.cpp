@@ -7,6 +7,7 @@
 
 #include "core/fields/terrain_surface.h"
 #include "core/nodes/terrain_node.h"
+#include "core/sim/model_copies.h"
 #include "core/snow/snow_ground.h"
 
 namespace spin {
@@ -23,16 +24,27 @@ struct QuadBlock {
   bool holds(int i, int j) const { return i >= i0 && i < i1 && j >= j0 && j < j1; }
 };
 
-/// Box of a model where it stands at film time 0. Later places do not count: an edit of a later key must keep
-/// the frames before it.
-Box3d standingBox(const SceneSnapshot& scene, const SceneNode& node, const ModelData& model) {
-  const Box3d box = model.bounds();
+/// Boxes of a model and its copies where they stand at film time 0. Later places do not count: an edit of a
+/// later key must keep the frames before it.
+std::vector<Box3d> standingBoxes(const SceneSnapshot& scene, const SceneNode& node, const ModelData& model) {
   const Transform placement = scene.modelTransform(node, 0.0);
-  Box3d standing;
-  for (int corner = 0; corner < 8 && !box.empty(); ++corner)
-    standing.extend(placement.point({corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
-                                     corner & 4 ? box.max.z : box.min.z}));
-  return standing;
+  std::vector<Box3d> meshes;
+  for (const Mesh& mesh : model.meshes) {
+    Box3d box;
+    for (const Vec3f& p : mesh.positions) box.extend(p.to<double>());
+    meshes.push_back(box);
+  }
+  const std::size_t each = instancesOfACopy(node, model);
+  std::vector<Box3d> boxes;
+  for (std::size_t k = 0; k < model.instances.size(); ++k) {
+    if (k % each == 0) boxes.emplace_back();
+    const Box3d& box = meshes[static_cast<std::size_t>(model.instances[k].mesh)];
+    const Transform place = placement * model.instances[k].transform;
+    for (int corner = 0; corner < 8 && !box.empty(); ++corner)
+      boxes.back().extend(place.point({corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                                       corner & 4 ? box.max.z : box.min.z}));
+  }
+  return boxes;
 }
 
 /// Quads within a margin of the box, cut to the raster; empty (i0 >= i1) if there are none.
@@ -72,9 +84,11 @@ std::vector<QuadBlock> fineBlocks(const SceneSnapshot& scene, double margin) {
   for (const SceneNode* node : scene.all<ModelNode>()) {
     const auto model = scene.models.find(node->id);
     if (model == scene.models.end() || !model->second) continue;
-    const QuadBlock block =
-        blockRound(standingBox(scene, *node, *model->second), margin, scene.terrain->heights);
-    if (block.i0 < block.i1 && block.j0 < block.j1) blocks.push_back(block);
+    if (!static_cast<const ModelNode&>(*evaluate(*node, 0.0)).fineCover) continue;
+    for (const Box3d& box : standingBoxes(scene, *node, *model->second)) {
+      const QuadBlock block = blockRound(box, margin, scene.terrain->heights);
+      if (block.i0 < block.i1 && block.j0 < block.j1) blocks.push_back(block);
+    }
   }
   return disjoint(std::move(blocks));
 }

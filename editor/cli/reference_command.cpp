@@ -67,7 +67,14 @@ std::string unitText(const PropertyInfo& property) {
     case Unit::Pascal:
       return "Pa";
     case Unit::PerMetre:
+    case Unit::PercentPerHundredMetres:
       return "1/m";
+    case Unit::KelvinPerMetre:
+      return "K/m";
+    case Unit::WattPerSquareMetre:
+      return "W/m2";
+    case Unit::KilogramPerSquareMetreDayKelvin:
+      return "kg/(m2 s K)";
   }
   return "";
 }

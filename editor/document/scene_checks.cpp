@@ -9,6 +9,7 @@
 #include "core/nodes/terrain_node.h"
 #include "core/nodes/weather_nodes.h"
 #include "core/scene/asset_library.h"
+#include "core/sim/scene_time.h"
 
 namespace spin {
 namespace {
@@ -25,6 +26,7 @@ class Checks {
     checkNodes();
     if (const auto* settings = first<SimulationNode>(kSimulationType)) checkSimulation(*settings);
     if (const auto* picture = first<RenderNode>(kRenderType)) checkPicture(*picture);
+    if (const auto* weather = first<WeatherNode>(kWeatherType)) checkWeather(*weather);
     if (const auto* camera = first<CameraNode>(kCameraType); camera && camera->position == camera->target)
       add(Severity::Error, kCameraType, "target_m",
           QT_TRANSLATE_NOOP("SceneChecks", "Camera and target stand on the same spot. Move one of them."));
@@ -69,6 +71,17 @@ class Checks {
       add(Severity::Error, kSimulationType, "sheds_above_deg",
           QT_TRANSLATE_NOOP("SceneChecks",
                             "Slopes must shed their snow at a steeper angle than they hold it."));
+  }
+
+  void checkWeather(const WeatherNode& weather) {
+    if (!weather.start.empty() && !parseDateTime(weather.start))
+      add(Severity::Error, kWeatherType, "start_utc",
+          QT_TRANSLATE_NOOP("SceneChecks",
+                            "The film's begin is no date. Write it as 2005-10-01 00:00 (UTC)."));
+    if ((weather.sun == MeltingSun::ByDate || weather.lightByDate) && weather.start.empty() && weather.source.empty())
+      add(Severity::Warning, kWeatherType, "start_utc",
+          QT_TRANSLATE_NOOP("SceneChecks",
+                            "The sun needs a date: it stands still until the film's begin is set."));
   }
 
   void checkPicture(const RenderNode& picture) {

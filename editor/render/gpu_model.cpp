@@ -76,6 +76,7 @@ GpuModel GpuModel::upload(std::shared_ptr<const ModelData> model) {
       part.firstIndex = indices.size();
       part.count = static_cast<GLsizei>(mesh.indices.size() / 3 * 3);
       append(mesh, vertices);
+      for (const Vec3f& p : mesh.positions) part.bounds.extend(p.to<double>());
       for (const std::uint32_t i : mesh.indices) indices.push_back(first + i);
     }
     gpu.parts.push_back(part);

@@ -97,22 +97,25 @@ std::vector<PlacedModel> ModelPass::place(const SceneSnapshot& scene, double fil
     const GpuModel& model = m_models.at(data->second.get());
     const auto* body = bodies ? bodies->find(node->id) : nullptr;
     const Transform transform = body ? body->placement : scene.modelTransform(*node, filmTime);
-    placed.push_back({&model, node, transform, transformed(transform, model.bounds)});
+    const auto dusting =
+        static_cast<float>(static_cast<const ModelNode&>(*evaluate(*node, filmTime)).dusting);
+    placed.push_back({&model, node, transform, transformed(transform, model.bounds), dusting});
   }
   return placed;
 }
 
-/// Calls begin(transform, material, hasTexture) before each part is drawn.
-template <class Begin>
-void ModelPass::forParts(const PlacedModel& placed, const Begin& begin) const {
+/// Calls begin(transform, material, hasTexture) before each part is drawn that shows(bounds) is true for.
+template <class Shows, class Begin>
+void ModelPass::forParts(const PlacedModel& placed, const Shows& shows, const Begin& begin) const {
   const GpuModel& model = *placed.model;
   glVertexArrayVertexBuffer(m_vertexArray.id(), 0, model.vertices.id(), 0, kVertexBytes);
   glVertexArrayElementBuffer(m_vertexArray.id(), model.indices.id());
   for (const MeshInstance& instance : model.data->instances) {
     const GpuModel::Part& part = model.parts[static_cast<std::size_t>(instance.mesh)];
-    if (part.count == 0) continue;
+    const Transform place = placed.transform * instance.transform;
+    if (part.count == 0 || !shows(transformed(place, part.bounds))) continue;
     const Material& material = materialOf(*model.data, part.material);
-    begin(placed.transform * instance.transform, material, bindTexture(model, material) != 0);
+    begin(place, material, bindTexture(model, material) != 0);
     glDrawElements(GL_TRIANGLES, part.count, GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(part.firstIndex * sizeof(std::uint32_t)));
   }
@@ -129,14 +132,15 @@ void ModelPass::draw(const DrawContext& context, const std::vector<PlacedModel>&
   for (const auto& [distance, one] : seen) {
     const bool selected =
         !context.options.selectedNode.empty() && one->node->id == context.options.selectedNode;
-    forParts(*one, [&](const Transform& t, const Material& m, bool textured) {
+    const auto inView = [&](const Box3d& bounds) { return context.frustum.mayShow(bounds); };
+    forParts(*one, inView, [&](const Transform& t, const Material& m, bool textured) {
       const GlProgram& program = textured && m.alphaCutout ? m_cutoutProgram : m_solidProgram;
       program.use();
       program.set("uHighlight", 1.0f, 0.45f, 0.05f, selected ? 0.35f : 0.0f);
       program.setMatrix("uModel", t.toColumnMajor());
       program.setMatrix("uNormalMatrix", normalMatrix(t));
       program.set("uBaseColour", m.baseColour.x, m.baseColour.y, m.baseColour.z, m.baseColour.w);
-      program.set("uSurface", textured ? 1.0f : 0.0f, m.doubleSided ? 1.0f : 0.0f, m.roughness, 0.0f);
+      program.set("uSurface", textured ? 1.0f : 0.0f, m.doubleSided ? 1.0f : 0.0f, m.roughness, one->dusting);
     });
   }
 }
@@ -145,10 +149,12 @@ void ModelPass::drawDepth(const Matrix4& light, const std::vector<PlacedModel>& 
   m_depthProgram.use();
   glBindVertexArray(m_vertexArray.id());
   for (const PlacedModel& one : placed)
-    forParts(one, [&](const Transform& t, const Material& m, bool textured) {
-      m_depthProgram.setMatrix("uLightModel", multiply(light, t.toColumnMajor()));
-      m_depthProgram.set("uCutout", textured && m.alphaCutout ? 1.0f : 0.0f);
-    });
+    forParts(
+        one, [](const Box3d&) { return true; },
+        [&](const Transform& t, const Material& m, bool textured) {
+          m_depthProgram.setMatrix("uLightModel", multiply(light, t.toColumnMajor()));
+          m_depthProgram.set("uCutout", textured && m.alphaCutout ? 1.0f : 0.0f);
+        });
 }
 
 }  // namespace spin

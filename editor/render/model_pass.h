@@ -19,6 +19,7 @@ struct GpuModel {
     std::size_t firstIndex = 0;
     GLsizei count = 0;
     int material = 0;
+    Box3d bounds;  ///< of the mesh
   };
   std::shared_ptr<const ModelData> data;
   GlBuffer vertices, indices;
@@ -36,6 +37,7 @@ struct PlacedModel {
   const SceneNode* node = nullptr;
   Transform transform;
   Box3d bounds;  ///< local metres
+  float dusting = 0.0f;
 };
 
 /// Keeps models on the card and draws them.
@@ -53,8 +55,8 @@ class ModelPass {
   std::size_t modelsHeld() const { return m_models.size(); }
 
  private:
-  template <class Begin>
-  void forParts(const PlacedModel& placed, const Begin& begin) const;
+  template <class Shows, class Begin>
+  void forParts(const PlacedModel& placed, const Shows& shows, const Begin& begin) const;
 
   std::map<const ModelData*, GpuModel> m_models;
   GlProgram m_solidProgram, m_cutoutProgram, m_depthProgram;

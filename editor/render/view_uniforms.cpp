@@ -7,6 +7,7 @@
 
 #include "core/base/units.h"
 #include "core/nodes/settings_nodes.h"
+#include "core/sim/scene_time.h"
 
 namespace spin {
 namespace {
@@ -96,7 +97,7 @@ LightModel lightModel(const SceneSnapshot& scene, double filmTime, double snowSh
   const auto picture = scene.settings<RenderNode>(filmTime);
   LightModel m;
   m.cloud = std::clamp(weather.cloudCover, 0.0, 1.0);
-  m.toSun = sunDirection(weather.sunAzimuthDegrees, weather.sunElevationDegrees);
+  m.toSun = picturedSun(scene, filmTime);
   const double up = std::max(m.toSun.z, 0.0);
   const double dusk = std::clamp(m.toSun.z * 8.0 + 0.9, 0.02, 1.0);
   // Direct light falls off with the clouds' share, the total as 1 - 0.75 N^3.4 (Kasten and Czeplak 1980).

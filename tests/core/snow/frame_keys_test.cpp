@@ -44,12 +44,6 @@ std::vector<Hash128> keysOf(const SceneSnapshot& scene) {
   return frameKeys(scene, Pipeline::compile(scene), "cpu", 3);
 }
 
-/// Painted layers enter with the balance of the snow cover: no process of this pipeline reads them yet.
-bool isReadByNothing(const SceneNode& node) {
-  return node.type == &kGroundTemperatureLayerType || node.type == &kSnowDepthLayerType ||
-         node.type == &kKeepClearLayerType;
-}
-
 TEST(FrameKeys, ChangeWithEveryPropertyThatAffectsTheSimulationAndNoOther) {
   const SceneSnapshot scene = fullScene();
   const std::vector<Hash128> before = keysOf(scene);
@@ -63,7 +57,7 @@ TEST(FrameKeys, ChangeWithEveryPropertyThatAffectsTheSimulationAndNoOther) {
       setPlainValue(node, row, value);
       const bool simulated = static_cast<int>(row.affects) & static_cast<int>(Affects::Simulation);
       // A file counts by its content, which this edit does not change.
-      const bool counts = simulated && row.kind != PropertyKind::Path && !isReadByNothing(node);
+      const bool counts = simulated && row.kind != PropertyKind::Path;
       EXPECT_EQ(keysOf(edited) != before, counts) << node.id << "." << row.id;
       ++rows;
     }
@@ -78,7 +72,7 @@ TEST(FrameKeys, AnimatingAPropertyLaterKeepsTheFramesBeforeIt) {
       const bool simulated = static_cast<int>(row.affects) & static_cast<int>(Affects::Simulation);
       SceneSnapshot edited = scene;
       SceneNode& node = edited.nodes[n];
-      if (!row.animatable || !simulated || isReadByNothing(node)) continue;
+      if (!row.animatable || !simulated) continue;
       const std::string id = row.id;
       const Value value = plainValue(node, row);
       const double then = 0.5 * (scene.timeOf(2).film + scene.timeOf(3).film);

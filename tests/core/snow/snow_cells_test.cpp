@@ -28,7 +28,7 @@ SnowCells variousCells(std::size_t count) {
     cells.setting(kAirOffset)[i] = -8.0f + 16.0f * std::sin(0.37f * x);
     cells.setting(kBeamFactor)[i] = 1.0f + std::sin(0.11f * x);
     cells.setting(kSkyView)[i] = 0.7f + 0.3f * std::cos(0.23f * x);
-    cells.setting(kSnowFactor)[i] = 0.5f + 0.5f * std::cos(0.17f * x);
+    cells.setting(kFallFactor)[i] = 0.5f + 0.5f * std::cos(0.17f * x);
     cells.setting(kCellArea)[i] = 25.0f;
   }
   return cells;

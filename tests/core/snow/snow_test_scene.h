@@ -8,6 +8,7 @@
 
 #include "core/base/units.h"
 #include "core/bench/snow_run.h"
+#include "core/nodes/cover_nodes.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
 #include "core/nodes/weather_nodes.h"
@@ -25,15 +26,17 @@ SceneNode node(const NodeType& type, const std::string& id, const T& data) {
   return made;
 }
 
-/// A scene in the making, with quiet defaults: no wind, no spread, no noise, all snow holds on every slope.
+/// A scene in the making, with quiet defaults: no wind, no spread, no noise, snow lies as it fell.
 struct TestScene {
   WeatherNode weather;
   SnowfallNode snowfall;
   SimulationNode simulation;
+  SnowCoverNode cover;
   TerrainNode terrain;
   SceneSnapshot snapshot;
 
   TestScene() {
+    cover.law = CoverLaw::Lies;
     weather.windSpeed = 0.0;
     weather.precipitationRate = 0.002;
     snowfall.fallSpreadDegrees = 0.0;
@@ -64,6 +67,7 @@ struct TestScene {
     if (scene.terrain) scene.nodes.push_back(node(kTerrainType, "terrain", terrain));
     scene.nodes.push_back(node(kWeatherType, "weather", weather));
     scene.nodes.push_back(node(kSnowfallType, "snowfall", snowfall));
+    scene.nodes.push_back(node(kSnowCoverType, "snow_cover", cover));
     scene.nodes.push_back(node(kSimulationType, "simulation", simulation));
     return scene;
   }

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/snow/weather_series.h"
+#include "core/fields/weather_series.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/snow/number_table.h"
+#include "core/fields/number_table.h"
 
 namespace spin {
 namespace {

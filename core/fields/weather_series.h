@@ -43,6 +43,12 @@ struct WeatherSeries {
   std::string gapReport() const;
 };
 
+/// Mean of a record over [from, to), s from 1970. Before its begin and after its end the nearest value holds
+/// and nothing falls.
+WeatherRecord meanRecord(const WeatherSeries& weather, double from, double to);
+/// Precipitation of the steps in which something fell, kg/(m2 s); 0 if nothing ever did.
+double meanWetPrecipitation(const WeatherSeries& weather);
+
 /// Reads rows of year, month, day, hour (UTC, the step's begin), incoming shortwave and longwave W/m2,
 /// snowfall and rainfall kg/(m2 s), air temperature K, relative humidity %, wind m/s, pressure Pa; white
 /// space or commas between them. Every number must be possible on Earth; times must ascend in steps of one

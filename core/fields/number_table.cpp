@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/snow/number_table.h"
+#include "core/fields/number_table.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/snow/weather_series.h"
+#include "core/fields/weather_series.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "core/base/units.h"
-#include "core/snow/number_table.h"
+#include "core/fields/number_table.h"
 
 namespace spin {
 
@@ -191,6 +191,43 @@ std::string WeatherSeries::gapReport() const {
   if (names.empty()) return {};
   return fmt::format("of {} steps {} rows are missing; filled: {}; the longest gap is {:.1f} h",
                      records.size(), missingRows, names, static_cast<double>(longestGap) / 3600.0);
+}
+
+WeatherRecord meanRecord(const WeatherSeries& weather, double from, double to) {
+  const auto count = static_cast<double>(weather.records.size()), step = static_cast<double>(weather.step);
+  const double begin = (from - static_cast<double>(weather.start)) / step;
+  const double end = std::max((to - static_cast<double>(weather.start)) / step, begin + 1e-9);
+  WeatherRecord mean;
+  const auto add = [&](const WeatherRecord& r, double share, bool falls) {
+    mean.shortwave += share * r.shortwave;
+    mean.longwave += share * r.longwave;
+    mean.snowfall += falls ? share * r.snowfall : 0.0;
+    mean.rainfall += falls ? share * r.rainfall : 0.0;
+    mean.airTemperature += share * r.airTemperature;
+    mean.relativeHumidity += share * r.relativeHumidity;
+    mean.wind += share * r.wind;
+    mean.pressure += share * r.pressure;
+  };
+  const double length = end - begin;
+  const double before = std::min(end, 0.0) - begin, after = end - std::max(begin, count);
+  if (before > 0.0) add(weather.records.front(), before / length, false);
+  if (after > 0.0) add(weather.records.back(), after / length, false);
+  const double last = std::min(end, count);
+  for (double at = std::max(begin, 0.0); at < last;) {
+    const double next = std::min(std::floor(at) + 1.0, last);
+    add(weather.records[static_cast<std::size_t>(at)], (next - at) / length, true);
+    at = next;
+  }
+  return mean;
+}
+
+double meanWetPrecipitation(const WeatherSeries& weather) {
+  double sum = 0.0, steps = 0.0;
+  for (const WeatherRecord& r : weather.records) {
+    sum += r.snowfall + r.rainfall;
+    steps += r.snowfall + r.rainfall > 0.0 ? 1.0 : 0.0;
+  }
+  return steps > 0.0 ? sum / steps : 0.0;
 }
 
 Result<WeatherSeries> readWeather(std::string_view text, const std::string& where) {
