@@ -15,13 +15,14 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 constexpr std::array<PaintedKind, 5> kKinds{{
     {&kGroundTypeLayerType, true, float{kUnpaintedGround}, 0, kGroundTypeCount - 1, 0, kGroundTypeCount - 1,
-     Unit::None, SPIN_TR("Ground type"), "ground type"},
+     Unit::None, SPIN_TR("Ground type"), "ground type", ""},
     {&kGroundTemperatureLayerType, false, kNan, 100, 400, 253.15, 293.15, Unit::Kelvin,
-     SPIN_TR("Ground temperature"), "ground temperature"},
-    {&kSnowDepthLayerType, false, kNan, 0, 100, 0, 2, Unit::Metre, SPIN_TR("Snow depth"), "snow depth"},
-    {&kKeepClearLayerType, false, 0.0f, 0, 1, 0, 1, Unit::Factor, SPIN_TR("Keep clear"), "share kept clear"},
+     SPIN_TR("Ground temperature"), "ground temperature", "K"},
+    {&kSnowDepthLayerType, false, kNan, 0, 100, 0, 2, Unit::Metre, SPIN_TR("Snow depth"), "snow depth", "m"},
+    {&kKeepClearLayerType, false, 0.0f, 0, 1, 0, 1, Unit::Factor, SPIN_TR("Keep clear"), "share kept clear",
+     ""},
     {&kAvalancheReleaseType, true, float{kReleaseUnpainted}, kReleasePainted, kReleasePainted,
-     kReleasePainted, kReleasePainted, Unit::None, SPIN_TR("Avalanche release"), "release area"},
+     kReleasePainted, kReleasePainted, Unit::None, SPIN_TR("Avalanche release"), "release area", ""},
 }};
 
 }  // namespace

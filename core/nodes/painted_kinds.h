@@ -18,8 +18,9 @@ struct PaintedKind {
   double least, most;  ///< SI, of painted cells, inclusive
   double low, high;    ///< SI: range that pictures and brushes begin with
   Unit unit;
-  const char* label;  ///< SPIN_TR, as the user knows it
-  const char* name;   ///< as files name it
+  const char* label;     ///< SPIN_TR, as the user knows it
+  const char* name;      ///< as files name it
+  const char* fileUnit;  ///< of the values in files, which are SI: "K"
 
   bool holds(double value) const { return value >= least && value <= most; }
 };

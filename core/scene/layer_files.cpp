@@ -20,11 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As it stands in files, where the number is not converted.
-std::string siUnit(Unit unit) {
-  return unit == Unit::Kelvin ? "K" : unit == Unit::Metre ? "m" : std::string();
-}
-
 Status unusable(const SceneNode& node, std::string why) {
   return badInput("The painted layer is unusable", node.id, std::move(why),
                   "Choose another file or paint anew");
@@ -55,7 +50,7 @@ Status checkNumbers(const SceneNode& node, const PaintedKind& kind, const TiledR
 Status checkReals(const SceneNode& node, const PaintedKind& kind, const TiledRaster<float>& layer) {
   float bad = 0.0f;
   if (everyCellGood(layer, kind, bad)) return {};
-  return unusable(node, fmt::format("{} {} is no {}: that lies between {} and {}", bad, siUnit(kind.unit),
+  return unusable(node, fmt::format("{} {} is no {}: that lies between {} and {}", bad, kind.fileUnit,
                                     kind.name, kind.least, kind.most));
 }
 
@@ -79,7 +74,7 @@ Status writeSafely(AssetReader& reader, const SceneNode& node, const TerrainData
   std::error_code code;
   const PaintedKind* kind = paintedKind(*node.type);
   LayerFormat format;
-  if (kind) format.name = kind->name, format.unit = siUnit(kind->unit);
+  if (kind) format.name = kind->name, format.unit = kind->fileUnit;
   Status status = reader.writeLayer(node.painted, format, terrain, temporary.string());
   if (status) fs::rename(temporary, path, code);
   if (status && code)
