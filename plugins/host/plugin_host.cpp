@@ -5,6 +5,7 @@
 #include <QObject>
 #include <algorithm>
 #include <mutex>
+#include <type_traits>
 
 #include "plugins/host/plugin_catalogue.h"
 #include "plugins/sdk/importer.h"
@@ -16,9 +17,10 @@ struct PluginHost::State {
   std::vector<std::string> warnings;
   std::vector<ImageWriter*> writers;
   std::vector<ExporterFactory*> factories;
+  std::vector<LayerFilter*> filters;
   std::once_flag loaded;
 
-  /// Writers and exporters bring large libraries, so their code is loaded when first asked for.
+  /// Writers, exporters and filters bring large libraries, so their code is loaded when first asked for.
   void load() {
     std::call_once(loaded, [this] {
       warnings = catalogue.warnings;
@@ -29,10 +31,10 @@ struct PluginHost::State {
   void loadEntry(const PluginEntry& entry) {
     if (entry.interfaceId == SPIN_TERRAIN_IMPORTER_IID || entry.interfaceId == SPIN_MODEL_IMPORTER_IID)
       return;
-    const bool writer = entry.interfaceId == SPIN_IMAGE_WRITER_IID;
-    if (!writer && entry.interfaceId != SPIN_EXPORTER_FACTORY_IID) {
+    const std::string& kind = entry.interfaceId;
+    if (kind != SPIN_IMAGE_WRITER_IID && kind != SPIN_EXPORTER_FACTORY_IID && kind != SPIN_LAYER_FILTER_IID) {
       warnings.push_back("The plugin " + entry.path +
-                         " is left out: this program does not know its interface " + entry.interfaceId);
+                         " is left out: this program does not know its interface " + kind);
       return;
     }
     const Result<QObject*> object = loadPlugin(entry);
@@ -40,11 +42,15 @@ struct PluginHost::State {
       warnings.push_back(object.error().text());
       return;
     }
-    auto* asWriter = writer ? qobject_cast<ImageWriter*>(*object) : nullptr;
-    auto* asFactory = writer ? nullptr : qobject_cast<ExporterFactory*>(*object);
-    if (asWriter) writers.push_back(asWriter);
-    if (asFactory) factories.push_back(asFactory);
-    if (!asWriter && !asFactory)
+    const auto keep = [&](const char* interfaceId, auto& list) {
+      using Interface = std::remove_pointer_t<typename std::decay_t<decltype(list)>::value_type>;
+      auto* found = kind == interfaceId ? qobject_cast<Interface*>(*object) : nullptr;
+      if (found) list.push_back(found);
+      return found != nullptr;
+    };
+    const bool kept = keep(SPIN_IMAGE_WRITER_IID, writers) || keep(SPIN_EXPORTER_FACTORY_IID, factories) ||
+                      keep(SPIN_LAYER_FILTER_IID, filters);
+    if (!kept)
       warnings.push_back("The plugin " + entry.path + " is left out: it lacks the interface it names");
   }
 
@@ -105,6 +111,22 @@ std::string PluginHost::exporterLabel(const std::string& id) const {
 std::unique_ptr<CacheExporter> PluginHost::makeExporter(const std::string& id) const {
   const ExporterFactory* factory = m_state->factoryOf(id);
   return factory ? factory->create(id) : nullptr;
+}
+
+std::vector<LayerFilterInfo> PluginHost::layerFilters() const {
+  m_state->load();
+  std::vector<LayerFilterInfo> all;
+  for (const LayerFilter* filter : m_state->filters)
+    for (const LayerFilterInfo& info : filter->filters()) all.push_back(info);
+  return all;
+}
+
+const LayerFilter* PluginHost::layerFilter(const std::string& filterId) const {
+  m_state->load();
+  for (const LayerFilter* filter : m_state->filters)
+    for (const LayerFilterInfo& info : filter->filters())
+      if (info.id == filterId) return filter;
+  return nullptr;
 }
 
 std::vector<std::string> PluginHost::terrainExtensions() const {

@@ -8,6 +8,7 @@
 
 #include "core/scene/asset_library.h"
 #include "plugins/sdk/exporter.h"
+#include "plugins/sdk/layer_filter.h"
 
 namespace spin {
 
@@ -25,6 +26,10 @@ class PluginHost {
   std::vector<std::string> exporterIds() const;
   std::string exporterLabel(const std::string& id) const;
   std::unique_ptr<CacheExporter> makeExporter(const std::string& id) const;
+  /// Filters on painted layers, of all plugins in turn.
+  std::vector<LayerFilterInfo> layerFilters() const;
+  /// nullptr if no plugin knows the filter.
+  const LayerFilter* layerFilter(const std::string& filterId) const;
   std::vector<std::string> terrainExtensions() const;
   std::vector<std::string> modelExtensions() const;
   const std::vector<std::string>& warnings() const;
