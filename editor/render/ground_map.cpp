@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/nodes/ground_nodes.h"
+#include "core/nodes/painted_kinds.h"
+#include "editor/render/ground_scale.h"
 #include "editor/render/texel_code.h"
 
 namespace spin {
@@ -29,67 +32,76 @@ Texel texelOf(Vec3d colour, float roughness) {
 
 }  // namespace
 
-Vec3d temperatureColour(double kelvin) {
-  const double t = std::clamp((kelvin - 273.15) / 20.0, -1.0, 1.0);
-  const Vec3d end = t < 0.0 ? Vec3d{0.02, 0.10, 0.55} : Vec3d{0.60, 0.03, 0.02};
-  return Vec3d{0.85, 0.85, 0.85} * (1.0 - std::abs(t)) + end * std::abs(t);
-}
-
-/// What is shown, read per cell; types have a table.
+/// What is shown, read per cell.
 struct GroundMap::Source {
-  const TiledRaster<std::uint8_t>* types = nullptr;
-  const TiledRaster<float>* temperatures = nullptr;
-  double base = 0.0;  ///< type number or K where nothing is painted
-  bool temperature = false;
+  const TiledRaster<std::uint8_t>* numbers = nullptr;
+  const TiledRaster<float>* reals = nullptr;
+  const GroundScale* scale = nullptr;  ///< of measures
+  double base = 0.0;                   ///< what holds where nothing is painted; NaN = nothing
   std::array<Texel, kGroundTypeCount> table{};
 
   Texel at(int i, int j) const {
-    if (temperature) {
-      const float painted = temperatures ? temperatures->at(i, j) : std::numeric_limits<float>::quiet_NaN();
-      return texelOf(temperatureColour(std::isnan(painted) ? base : static_cast<double>(painted)), 0.0f);
+    if (!scale) {
+      const int painted = numbers ? numbers->at(i, j) : kUnpaintedGround;
+      return table[static_cast<std::size_t>(painted < kGroundTypeCount ? painted : static_cast<int>(base))];
     }
-    const int painted = types ? types->at(i, j) : kUnpaintedGround;
-    const int type = painted < kGroundTypeCount ? painted : static_cast<int>(base);
-    return table[static_cast<std::size_t>(type)];
+    const float painted = reals ? reals->at(i, j) : std::numeric_limits<float>::quiet_NaN();
+    const double value = std::isnan(painted) ? base : static_cast<double>(painted);
+    return texelOf(std::isnan(value) ? scale->unpainted : scale->colour(value), 0.0f);
   }
   std::shared_ptr<const void> tile(int tileX, int tileY) const {
-    if (temperature)
-      return temperatures ? temperatures->tile(temperatures->tileIndex(tileX * kTile, tileY * kTile))
-                          : nullptr;
-    return types ? types->tile(types->tileIndex(tileX * kTile, tileY * kTile)) : nullptr;
+    const auto of = [&](const auto& layer) -> std::shared_ptr<const void> {
+      return layer.tile(layer.tileIndex(tileX * kTile, tileY * kTile));
+    };
+    if (numbers) return of(*numbers);
+    return reals ? of(*reals) : nullptr;
   }
 };
 
-void GroundMap::update(const SceneSnapshot& scene, double filmTime, GroundDisplay display) {
+GroundMap::Source GroundMap::sourceOf(const SceneSnapshot& scene, double filmTime,
+                                      GroundDisplay display) const {
+  Source source;
+  const bool types = display == GroundDisplay::Natural || display == GroundDisplay::GroundType;
+  const NodeType& type = types ? kGroundTypeLayerType : *groundScale(display)->kind->type;
+  if (!types) source.scale = groundScale(display);
+  source.base = std::numeric_limits<double>::quiet_NaN();
+  if (types) source.base = static_cast<double>(scene.settings<GroundTypeLayerNode>(filmTime).base);
+  if (display == GroundDisplay::GroundTemperature)
+    source.base = scene.settings<GroundTemperatureLayerNode>(filmTime).base;
+  const auto fits = [&](const auto* layer) {
+    const Raster<float>& heights = scene.terrain->heights;
+    return layer && layer->width() == heights.width && layer->height() == heights.height;
+  };
+  for (const SceneNode& node : scene.nodes) {
+    const auto* numbers = std::get_if<TiledRaster<std::uint8_t>>(&node.painted);
+    const auto* reals = std::get_if<TiledRaster<float>>(&node.painted);
+    if (!node.enabled || node.type != &type || !(fits(numbers) || fits(reals))) continue;
+    // Of several nodes of a type the wanted one is shown, else the first.
+    const bool wanted = node.id == m_node || !(source.numbers || source.reals);
+    if (wanted) source.numbers = numbers, source.reals = reals;
+  }
+  for (int t = 0; t < kGroundTypeCount; ++t) {
+    const auto ground = static_cast<GroundType>(t);
+    const Vec3d c = display == GroundDisplay::GroundType ? falseTypeColour(t) : groundTypeColour(ground);
+    source.table[static_cast<std::size_t>(t)] = texelOf(c, roughnessOf(ground));
+  }
+  return source;
+}
+
+void GroundMap::update(const SceneSnapshot& scene, double filmTime, GroundDisplay display,
+                       const std::string& node) {
   if (!scene.terrain) {
     m_texture.reset();
     m_tiles.clear();
     return;
   }
-  Source source;
-  source.temperature = display == GroundDisplay::GroundTemperature;
+  m_node = node;
+  const Source source = sourceOf(scene, filmTime, display);
   const int width = scene.terrain->heights.width, height = scene.terrain->heights.height;
-  const SceneNode* node =
-      source.temperature ? scene.first<GroundTemperatureLayerNode>() : scene.first<GroundTypeLayerNode>();
-  source.base = source.temperature ? scene.settings<GroundTemperatureLayerNode>(filmTime).base
-                                   : static_cast<double>(scene.settings<GroundTypeLayerNode>(filmTime).base);
-  const auto fits = [&](const auto* layer) {
-    return layer && layer->width() == width && layer->height() == height;
-  };
-  if (node && source.temperature) source.temperatures = std::get_if<TiledRaster<float>>(&node->painted);
-  if (node && !source.temperature) source.types = std::get_if<TiledRaster<std::uint8_t>>(&node->painted);
-  if (!fits(source.temperatures)) source.temperatures = nullptr;
-  if (!fits(source.types)) source.types = nullptr;
-  // False colours are lightened: bare ground is too dark to tell types apart.
-  const double lift = display == GroundDisplay::GroundType ? 0.5 : 1.0;
-  for (int t = 0; t < kGroundTypeCount; ++t) {
-    const auto type = static_cast<GroundType>(t);
-    const Vec3d c = groundTypeColour(type);
-    source.table[static_cast<std::size_t>(t)] =
-        texelOf({std::pow(c.x, lift), std::pow(c.y, lift), std::pow(c.z, lift)}, roughnessOf(type));
-  }
   const int tilesX = (width + kTile - 1) / kTile, tilesY = (height + kTile - 1) / kTile;
-  bool all = display != m_display || source.base != m_base;
+  // Two NaN are the same base.
+  const bool sameBase = source.base == m_base || (std::isnan(source.base) && std::isnan(m_base));
+  bool all = display != m_display || !sameBase;
   if (!m_texture || width != m_width || height != m_height) {
     m_texture = GlTexture::make(GLenum{GL_TEXTURE_2D});
     glTextureStorage2D(m_texture.id(), 1, GL_RGBA8, width, height);

@@ -190,7 +190,9 @@ FrameBlock Renderer::State::makeBlock(const RenderCamera& camera, double filmTim
   b.sky = withW(light.sky, snow ? cover.snowShare() : 0.0);
   b.bounce = withW(light.bounce, filmTime);
   b.zenith = withW(light.zenith, 0.0);
-  b.horizon = withW(light.horizon, light.hazeExtinction * options.hazeScale);
+  // Colours that stand for values must not fade with distance.
+  const double haze = options.ground == GroundDisplay::Natural ? options.hazeScale : 0.0;
+  b.horizon = withW(light.horizon, light.hazeExtinction * haze);
   b.viewport = {static_cast<float>(options.width), static_cast<float>(options.height),
                 static_cast<float>(0.5 * options.height / tangent), static_cast<float>(options.quality)};
   terrain.fill(b);
@@ -212,7 +214,7 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
   timed("upload", [&] { updateCover(); });
   FrameBlock b = makeBlock(camera, filmTime, options);
   const Vec3d toSun = lightModel(*scene, filmTime, 0.0).toSun;
-  timed("ground", [&] { terrain.update(*scene, filmTime, options.ground, toSun); });
+  timed("ground", [&] { terrain.update(*scene, filmTime, options.ground, options.selectedNode, toSun); });
   const std::vector<PlacedModel> placed =
       models.place(*scene, filmTime, frame ? frame->part<BodiesPart>("bodies") : nullptr);
   timed("shadow", [&] { shadows.update(models, placed, flow, camera, toSun, b); });

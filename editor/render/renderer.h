@@ -22,8 +22,8 @@ struct RenderCamera {
 /// The scene's camera node at a film time.
 RenderCamera cameraOf(const SceneSnapshot& scene, double filmTime);
 
-/// What the ground shows.
-enum class GroundDisplay : std::uint8_t { Natural, GroundType, GroundTemperature };
+/// What the ground shows: its look, or a painted layer.
+enum class GroundDisplay : std::uint8_t { Natural, GroundType, GroundTemperature, SnowDepth, KeepClear };
 
 struct RenderOptions {
   int width = 1280;

@@ -87,8 +87,9 @@ void TerrainPass::makeTiles() {
     }
 }
 
-void TerrainPass::update(const SceneSnapshot& scene, double filmTime, GroundDisplay display, Vec3d toSun) {
-  m_ground.update(scene, filmTime, display);
+void TerrainPass::update(const SceneSnapshot& scene, double filmTime, GroundDisplay display,
+                         const std::string& layer, Vec3d toSun) {
+  m_ground.update(scene, filmTime, display, layer);
   if (!m_terrain || toSun == m_toSun) return;
   m_toSun = toSun;
   const Raster<float>& h = m_terrain->heights;

@@ -21,7 +21,8 @@ class TerrainPass {
   /// Uploads the light map of a new terrain; nothing if it is the one already held.
   void setTerrain(std::shared_ptr<const TerrainData> terrain);
   /// Brings ground colours and the terrain's shadow up to date.
-  void update(const SceneSnapshot& scene, double filmTime, GroundDisplay display, Vec3d toSun);
+  void update(const SceneSnapshot& scene, double filmTime, GroundDisplay display, const std::string& layer,
+              Vec3d toSun);
   /// Binds what every pass that lights something reads: light map and ground colours.
   void bindTextures() const;
   /// `cuts`: rectangles x0, y0, x1, y1 that fine grids draw instead. `shading`: what throws shadows on the

@@ -3,12 +3,15 @@
 #include "editor/viewport/overlay_painter.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+
+#include "core/nodes/ground_nodes.h"
 
 namespace spin {
 namespace {
@@ -27,6 +30,14 @@ QColor colourOf(GizmoHandle handle) {
     default:
       return QColor(230, 230, 230);
   }
+}
+
+/// A linear colour as screens want it.
+QColor shown(Vec3d linear) {
+  const auto code = [](double c) {
+    return static_cast<float>(c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055);
+  };
+  return QColor::fromRgbF(code(linear.x), code(linear.y), code(linear.z));
 }
 
 /// Nothing if a point lies behind the eye.
@@ -89,15 +100,37 @@ void paintGizmo(QPainter& painter, const ViewFrame& view, const GizmoPose& pose,
   }
 }
 
-void paintLoop(QPainter& painter, const ViewFrame& view, const std::vector<Vec3d>& loop) {
+void paintLoop(QPainter& painter, const ViewFrame& view, const std::vector<Vec3d>& loop, const QColor& colour,
+               bool faint) {
   const auto outline = projected(view, loop);
   if (!outline || outline->size() < 3) return;
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(QColor(0, 0, 0, 140), 3.5));
+  painter.setPen(QPen(QColor(0, 0, 0, faint ? 90 : 140), faint ? 2.5 : 3.5));
   painter.drawPolygon(*outline);
-  painter.setPen(QPen(QColor(255, 235, 150), 1.5));
+  painter.setPen(QPen(colour, faint ? 1.0 : 1.5, faint ? Qt::DashLine : Qt::SolidLine));
   painter.drawPolygon(*outline);
+}
+
+void paintTag(QPainter& painter, QPointF at, const QString& text) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QFontMetricsF metrics(painter.font());
+  const QRectF box(at + QPointF(14, 10), QSizeF(metrics.horizontalAdvance(text) + 14, metrics.height() + 6));
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(20, 22, 26, 190));
+  painter.drawRoundedRect(box, 5, 5);
+  painter.setPen(QColor(230, 234, 238));
+  painter.drawText(box, Qt::AlignCenter, text);
+}
+
+QString paintedText(const PaintedKind& kind, double si) {
+  if (kind.type == &kGroundTypeLayerType)
+    return QCoreApplication::translate("Properties", kGroundTypeChoices[static_cast<std::size_t>(si)].label);
+  if (kind.numbers) return QCoreApplication::translate("Properties", kind.label);
+  if (kind.unit == Unit::Factor) return QStringLiteral("%1 %").arg(qRound(100.0 * si));
+  const int digits = kind.unit == Unit::Metre ? 2 : 1;
+  return QStringLiteral("%1 %2").arg(QLocale().toString(toDisplay(kind.unit, si), 'f', digits),
+                                     QString::fromUtf8(unitInfo(kind.unit).suffix));
 }
 
 void paintHint(QPainter& painter, const QRectF& area, const QString& title, const QString& text) {
@@ -122,14 +155,7 @@ void paintLegend(QPainter& painter, const QRectF& area, const FlowLegend& legend
   const auto text = [](const std::string& source) {
     return QCoreApplication::translate("Properties", source.c_str());
   };
-  const auto colour = [&](double place) {
-    const Vec3d c = scaleColour(legend.scale, place);
-    const auto code = [](double linear) {
-      return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-    };
-    return QColor::fromRgbF(static_cast<float>(code(c.x)), static_cast<float>(code(c.y)),
-                            static_cast<float>(code(c.z)));
-  };
+  const auto colour = [&](double place) { return shown(scaleColour(legend.scale, place)); };
   QString title = text(legend.title);
   if (!legend.unit.empty()) title += QStringLiteral(", ") + QString::fromStdString(legend.unit);
   const QFontMetricsF metrics(painter.font());
@@ -163,6 +189,52 @@ void paintLegend(QPainter& painter, const QRectF& area, const FlowLegend& legend
     gradient.setColorAt(place, colour(place));
   }
   painter.fillRect(bar, gradient);
+}
+
+void paintGroundLegend(QPainter& painter, const QRectF& area, const GroundScale& scale) {
+  constexpr double kPatch = 14.0, kGap = 8.0, kMargin = 16.0, kRow = 20.0;
+  const QString title = QCoreApplication::translate("Properties", scale.kind->label);
+  const QFontMetricsF metrics(painter.font());
+  const bool names = !scale.names.empty();
+  const auto textOf = [&](std::size_t k) {
+    if (names) return QCoreApplication::translate("Properties", scale.names[k]);
+    if (scale.kind->unit == Unit::Factor) return paintedText(*scale.kind, scale.stops[k].value);
+    const double value = toDisplay(scale.kind->unit, scale.stops[k].value);
+    return QStringLiteral("%1 %2").arg(QLocale().toString(std::round(100.0 * value) / 100.0, 'g', 4),
+                                       QString::fromUtf8(unitInfo(scale.kind->unit).suffix));
+  };
+  const std::size_t count = scale.stops.size();
+  double widest = metrics.horizontalAdvance(title);
+  for (std::size_t k = 0; k < count; ++k)
+    widest = std::max(widest, kPatch + kGap + metrics.horizontalAdvance(textOf(k)));
+  const double height = static_cast<double>(count) * kRow;
+  const QRectF box(area.left() + kMargin, area.center().y() - 0.5 * height - 20.0, widest + 20.0,
+                   height + 40.0);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(20, 22, 26, 170));
+  painter.drawRoundedRect(box, 6, 6);
+  painter.setPen(QColor(225, 230, 235));
+  painter.drawText(QPointF(box.left() + 10, box.top() + 18), title);
+  const auto middleOf = [&](std::size_t k) {
+    // Measures grow upwards, names are listed downwards.
+    const std::size_t row = names ? k : count - 1 - k;
+    return box.top() + 30.0 + (static_cast<double>(row) + 0.5) * kRow;
+  };
+  const double left = box.left() + 10;
+  if (!names) {
+    QLinearGradient gradient(0, middleOf(0), 0, middleOf(count - 1));
+    for (std::size_t k = 0; k < count; ++k)
+      gradient.setColorAt(static_cast<double>(k) / static_cast<double>(count - 1),
+                          shown(scale.stops[k].colour));
+    painter.fillRect(QRectF(QPointF(left, middleOf(count - 1)), QPointF(left + kPatch, middleOf(0))),
+                     gradient);
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    const double y = middleOf(k);
+    if (names) painter.fillRect(QRectF(left, y - 0.5 * kPatch, kPatch, kPatch), shown(scale.stops[k].colour));
+    painter.drawText(QPointF(left + kPatch + kGap, y + 0.35 * metrics.ascent()), textOf(k));
+  }
 }
 
 void paintBadge(QPainter& painter, const QString& text) {

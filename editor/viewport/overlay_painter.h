@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QColor>
+#include <QPointF>
 #include <QString>
 #include <vector>
 
+#include "core/nodes/painted_kinds.h"
 #include "editor/render/flow_scale.h"
+#include "editor/render/ground_scale.h"
 #include "editor/viewport/gizmo.h"
 
 class QPainter;
@@ -16,8 +20,16 @@ namespace spin {
 /// Handles of the gizmo; the one under the pointer or in the hand is bright.
 void paintGizmo(QPainter& painter, const ViewFrame& view, const GizmoPose& pose, GizmoMode mode,
                 GizmoHandle active);
-/// A closed line through points in local metres, e.g. the brush draped on the terrain.
-void paintLoop(QPainter& painter, const ViewFrame& view, const std::vector<Vec3d>& loop);
+/// A closed line through points in local metres, e.g. the brush draped on the terrain; a faint one is thin
+/// and broken.
+void paintLoop(QPainter& painter, const ViewFrame& view, const std::vector<Vec3d>& loop, const QColor& colour,
+               bool faint = false);
+/// A few words beside a point of the view.
+void paintTag(QPainter& painter, QPointF at, const QString& text);
+/// A value of a painted layer with its unit, or its name.
+QString paintedText(const PaintedKind& kind, double si);
+/// What the colours of a painted layer mean: at the left rim of the area.
+void paintGroundLegend(QPainter& painter, const QRectF& area, const GroundScale& scale);
 /// A calm message in the middle of the view.
 void paintHint(QPainter& painter, const QRectF& area, const QString& title, const QString& text);
 /// What the colours of the picture mean: at the right rim of the area.

@@ -93,6 +93,38 @@ TEST_F(TerrainDraw, FalseColoursTellTypesAndTemperatures) {
   EXPECT_GT(picture.red(54, 32), 2 * picture.blue(54, 32)) << "warm where nothing is painted";
 }
 
+TEST_F(TerrainDraw, FalseColoursTellDepthsAndWhatIsKeptClear) {
+  SceneBuilder scene = hills(65, 0.0);
+  scene.add<SnowDepthLayerNode>(kSnowDepthLayerType, "depth", [](SnowDepthLayerNode&) {});
+  TiledRaster<float> painted(65, 65, std::numeric_limits<float>::quiet_NaN());
+  for (int j = 0; j < 65; ++j)
+    for (int i = 0; i < 32; ++i) painted.set(i, j, 1.0f);
+  scene.snapshot.nodes.back().painted = painted;
+  RenderOptions options = sized(64, 64);
+  options.ground = GroundDisplay::SnowDepth;
+  const RenderCamera above{{160, 160, 300}, {160, 160.1, 0}, 40};
+  Picture picture = draw(scene.build(), nullptr, above, options);
+  EXPECT_GT(picture.blue(10, 32), 1.5 * picture.red(10, 32)) << "a metre in the west";
+  EXPECT_LT(picture.blue(54, 32), 1.3 * picture.red(54, 32)) << "grey where nothing is painted";
+
+  // Of two masks the selected one is shown.
+  for (const char* id : {"road", "yard"}) {
+    scene.add<KeepClearLayerNode>(kKeepClearLayerType, id, [](KeepClearLayerNode&) {});
+    TiledRaster<float> mask(65, 65, 0.0f);
+    for (int j = 0; j < 65; ++j)
+      for (int i = 0; i < 65; ++i)
+        if ((i < 32) == (id[0] == 'r')) mask.set(i, j, 1.0f);
+    scene.snapshot.nodes.back().painted = mask;
+  }
+  options.ground = GroundDisplay::KeepClear;
+  picture = draw(scene.build(), nullptr, above, options);
+  EXPECT_GT(picture.red(10, 32), 3 * picture.blue(10, 32)) << "the road's";
+  EXPECT_LT(picture.red(54, 32), 1.5 * picture.blue(54, 32));
+  options.selectedNode = "yard";
+  picture = draw(scene.build(), nullptr, above, options);
+  EXPECT_GT(picture.red(54, 32), 3 * picture.blue(54, 32)) << "the yard's";
+}
+
 TEST_F(TerrainDraw, AStrokeUploadsOnlyItsTile) {
   SceneBuilder scene = hills(200, 0.0);
   SceneNode& ground = scene.snapshot.nodes[1];
