@@ -10,6 +10,7 @@
 
 #include "core/nodes/node_registry.h"
 #include "core/nodes/terrain_node.h"
+#include "editor/app/brush_bar.h"
 #include "editor/app/file_flow.h"
 #include "editor/app/import_flow.h"
 #include "editor/app/main_window.h"
@@ -102,6 +103,7 @@ void MainActions::addEditMenu() {
   });
   add(menu, "editSetKeys", tr("Set &keys"), QKeySequence(Qt::Key_K), [this] { m_window->tools().setKeys(); });
   menu->addSeparator();
+  BrushBar::fillLayerMenu(menu->addMenu(tr("&Painted layer")), &m_window->layers());
   m_nodeMenu = menu->addMenu(tr("&Add node"));
   m_nodeMenu->setObjectName(QStringLiteral("addNodeMenu"));
   connect(m_nodeMenu, &QMenu::aboutToShow, this, &MainActions::fillNodeMenu);
@@ -160,6 +162,12 @@ void MainActions::addGroundMenu(QMenu* view) {
   mode("groundNatural", tr("&Natural colours"), GroundDisplay::Natural, true);
   mode("groundTypes", tr("Ground &types"), GroundDisplay::GroundType, false);
   mode("groundTemperature", tr("Ground t&emperature"), GroundDisplay::GroundTemperature, false);
+  mode("groundDepth", tr("Painted snow &depth"), GroundDisplay::SnowDepth, false);
+  mode("groundClear", tr("What is &kept clear"), GroundDisplay::KeepClear, false);
+  menu->addSeparator();
+  Viewport& viewport = m_window->viewport();
+  addToggle(menu, "groundPainted", tr("The &painted layer while painting"), viewport.showPainted(), {},
+            [&viewport](bool on) { viewport.setShowPainted(on); });
 }
 
 void MainActions::addSimulateMenu() {

@@ -2,24 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tool bar and the help menu of the main window.
 #include <QActionGroup>
-#include <QComboBox>
-#include <QCoreApplication>
 #include <QDialog>
-#include <QDoubleSpinBox>
-#include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QSignalBlocker>
 #include <QTextBrowser>
 #include <QToolBar>
 #include <QVBoxLayout>
 
-#include "core/nodes/flow_nodes.h"
+#include "editor/app/brush_bar.h"
 #include "editor/app/main_actions.h"
 #include "editor/app/main_window.h"
 #include "editor/app/tool_icons.h"
-#include "editor/panels/field_keys.h"
-#include "editor/viewport/picture_view.h"
 #include "editor/viewport/viewport.h"
 
 namespace spin {
@@ -48,8 +41,9 @@ void MainActions::addTools() {
   tool("toolMove", tr("Move"), Qt::Key_W, Viewport::Tool::Move);
   tool("toolRotate", tr("Rotate"), Qt::Key_E, Viewport::Tool::Rotate);
   tool("toolScale", tr("Scale"), Qt::Key_R, Viewport::Tool::Scale);
-  tool("toolBrush", tr("Paint ground types, or the area of the selected release"), Qt::Key_B,
-       Viewport::Tool::Brush);
+  tool("toolBrush",
+       tr("Paint ground types, temperature, snow depth, what is kept clear, or the selected release"),
+       Qt::Key_B, Viewport::Tool::Brush);
   tool("toolOutline", tr("Draw the outline of a release"), Qt::Key_O, Viewport::Tool::Outline);
   bar->addSeparator();
   QAction* local =
@@ -63,53 +57,13 @@ void MainActions::addTools() {
 
 void MainActions::addBrushTools(QToolBar* bar) {
   Viewport* view = &m_window->viewport();
-  auto* type = new QComboBox;
-  type->setObjectName(QStringLiteral("brushType"));
-  type->setToolTip(tr("Ground type that the brush paints"));
-  for (int k = 0; k < kGroundTypeCount; ++k)
-    type->addItem(
-        QCoreApplication::translate("Properties", kGroundTypeChoices[static_cast<std::size_t>(k)].label), k);
-  type->addItem(tr("Rub out"), static_cast<int>(kUnpaintedGround));
-  type->setCurrentIndex(type->findData(static_cast<int>(view->brush().value())));
-  connect(type, &QComboBox::currentIndexChanged, view,
-          [view, type] { view->brush().setValue(static_cast<std::uint8_t>(type->currentData().toInt())); });
-  auto* area = new QComboBox;
-  area->setObjectName(QStringLiteral("brushArea"));
-  area->setToolTip(tr("What the brush does to the area of the selected release"));
-  area->addItem(tr("Release here"), false);
-  area->addItem(tr("Rub out"), true);
-  connect(area, &QComboBox::currentIndexChanged, view,
-          [view, area] { view->brush().setRubsOut(area->currentData().toBool()); });
-  auto* radius = new QDoubleSpinBox;
-  radius->setObjectName(QStringLiteral("brushRadius"));
-  radius->setRange(0.5, 500.0);
-  radius->setDecimals(1);
-  radius->setSuffix(tr(" m"));
-  radius->setValue(view->brush().radius());
-  radius->setToolTip(tr("Radius of the brush ([ and ], or Ctrl + wheel)"));
-  connect(radius, &QDoubleSpinBox::valueChanged, view, &Viewport::setBrushRadius);
-  connect(view, &Viewport::brushRadiusChanged, radius, [radius](double metres) {
-    const QSignalBlocker quiet(radius);
-    radius->setValue(metres);
-  });
-  connect(new FieldKeys(radius), &FieldKeys::entered, view, [view] { view->surface()->setFocus(); });
-  QAction* brush = findChild<QAction*>(QStringLiteral("toolBrush"));
-  QAction* typeShown = bar->addWidget(type);
-  QAction* areaShown = bar->addWidget(area);
-  QAction* radiusShown = bar->addWidget(radius);
-  const auto show = [=, this] {
-    const SceneNode* node = m_window->document().node(m_window->document().selected());
-    const bool release = node && node->as<AvalancheReleaseNode>();
-    typeShown->setVisible(brush->isChecked() && !release);
-    areaShown->setVisible(brush->isChecked() && release);
-    radiusShown->setVisible(brush->isChecked());
-  };
-  connect(brush, &QAction::toggled, this, show);
-  connect(&m_window->document(), &SceneDocument::selectionChanged, this, show);
-  show();
+  auto* brush = new BrushBar(bar, view, &m_window->layers(), this);
+  const std::vector<QAction*> modes = brush->modes();
+  m_all.insert(m_all.end(), modes.begin(), modes.end());
+  connect(findChild<QAction*>(QStringLiteral("toolBrush")), &QAction::toggled, brush, &BrushBar::setVisible);
   const auto step = [this, view](const char* name, const QString& text, int key, int steps) {
     QAction* action = add(nullptr, name, text, QKeySequence(key), [view, steps] {
-      view->setBrushRadius(steppedBrushRadius(view->brush().radius(), steps));
+      view->setBrushRadius(steppedBrushRadius(view->brush().tip().radius, steps));
     });
     m_window->addAction(action);
   };
@@ -136,6 +90,8 @@ void MainActions::showShortcuts() {
   row(tr("Ctrl while dragging a handle"), tr("Whole steps: 1 m, 15 degrees, 0.1"));
   row(tr("Escape while dragging"), tr("Take the drag back"));
   row(tr("Shift while dragging a handle of flow"), tr("Up and down instead of along the ground"));
+  row(tr("F, Shift + F with the brush"), tr("Radius and strength by moving the pointer"));
+  row(tr("Shift, Ctrl with the brush"), tr("Smooth; pick the value under the pointer"));
   row(tr("Click with the outline tool"), tr("Add a corner; on a side, put one in"));
   row(tr("Delete over a corner"), tr("Take the corner out"));
   for (QAction* action : withShortcuts())

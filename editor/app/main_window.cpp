@@ -19,6 +19,7 @@
 #include "editor/app/flow_defaults.h"
 #include "editor/app/import_flow.h"
 #include "editor/app/import_job.h"
+#include "editor/app/layer_tools.h"
 #include "editor/app/main_actions.h"
 #include "editor/app/scene_tools.h"
 #include "editor/app/status_panel.h"
@@ -59,10 +60,11 @@ MainWindow::MainWindow(std::shared_ptr<AssetReader> reader, QWidget* parent)
       m_timeline(new TimelinePanel(this)),
       m_tools(new SceneTools(m_document, m_time, m_viewport, this)),
       m_files(new FileFlow(m_document, this)),
-      m_imports(new ImportFlow(m_document, std::move(reader), this)),
+      m_imports(new ImportFlow(m_document, reader, this)),
       m_autosave(new Autosave(m_document, {}, 5000, this)),
       m_sceneLock(new SceneLock(m_document, {}, this)),
-      m_plugins(std::make_unique<PluginHost>()) {
+      m_plugins(std::make_unique<PluginHost>()),
+      m_layers(new LayerTools(m_document, std::move(reader), m_plugins.get(), m_viewport, this)) {
   setObjectName("mainWindow");
   askRecovery = [this](const Recovery& found) { return showRecoveryQuestion(found); };
   setAcceptDrops(true);
@@ -79,6 +81,7 @@ MainWindow::MainWindow(std::shared_ptr<AssetReader> reader, QWidget* parent)
   connect(m_document, &SceneDocument::pathChanged, this, &MainWindow::showTitle);
   connect(m_document, &SceneDocument::modifiedChanged, this, &MainWindow::showTitle);
   connect(m_tools, &SceneTools::message, this, &MainWindow::showMessage);
+  connect(m_layers, &LayerTools::message, this, &MainWindow::showMessage);
   connect(m_imports, &ImportFlow::message, this, &MainWindow::showMessage);
   connect(m_imports, &ImportFlow::firstTerrainAdded, this, [this] { m_lookWanted = true; });
   m_imports->sight = [this] {
@@ -96,8 +99,9 @@ MainWindow::MainWindow(std::shared_ptr<AssetReader> reader, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-  // Before the document and the store that its thread uses.
+  // Before the document and the store that its thread uses, and the plugins that filter.
   delete m_simulation;
+  delete m_layers;
 }
 
 void MainWindow::addDocks() {

@@ -19,6 +19,7 @@ class ImportFlow;
 class MainActions;
 class PluginHost;
 class SceneLock;
+class LayerTools;
 class SceneTools;
 class TimelinePanel;
 class Viewport;
@@ -38,6 +39,7 @@ class MainWindow : public QMainWindow {
   FileFlow& files() { return *m_files; }
   ImportFlow& imports() { return *m_imports; }
   SceneTools& tools() { return *m_tools; }
+  LayerTools& layers() { return *m_layers; }
   MainActions& actions() { return *m_actions; }
 
   /// Opens a scene file or imports a terrain or model, by its ending.
@@ -84,6 +86,7 @@ class MainWindow : public QMainWindow {
   SceneLock* m_sceneLock;
   MainActions* m_actions = nullptr;
   std::unique_ptr<PluginHost> m_plugins;
+  LayerTools* m_layers;
   QByteArray m_defaultLayout;
   bool m_lookWanted = true;  ///< the next scene with a place moves the view there
 };

@@ -21,6 +21,9 @@ SceneTools::SceneTools(SceneDocument* document, TimeContext* time, Viewport* vie
   connect(viewport, &Viewport::editStarted, this, &SceneTools::begin);
   connect(viewport, &Viewport::placementEdited, this, &SceneTools::place);
   connect(viewport, &Viewport::layerPainted, this, &SceneTools::paint);
+  viewport->layerSource = [this](const PaintedKind& kind, const std::string& id) {
+    return paintedLayer(kind, id);
+  };
   connect(viewport, &Viewport::shapeEdited, this, &SceneTools::shape);
   connect(viewport, &Viewport::outlineWanted, this, &SceneTools::beginOutline);
   connect(viewport, &Viewport::editFinished, this, &SceneTools::finish);
@@ -64,20 +67,34 @@ void SceneTools::beginOutline(Vec2d corner) {
   m_document->undoStack()->endMacro();
 }
 
-void SceneTools::paint(const std::string& release, const TiledRaster<std::uint8_t>& layer) {
+/// What the document has painted on a node of the kind: the named one, else the first.
+const SceneNode* SceneTools::paintedNode(const PaintedKind& kind, const std::string& id) const {
+  const SceneNode* node = m_document->node(id);
+  return node && node->type == kind.type ? node : m_document->scene().firstOf(*kind.type);
+}
+
+std::optional<PaintedLayer> SceneTools::paintedLayer(const PaintedKind& kind, const std::string& id) const {
+  const SceneNode* node = paintedNode(kind, id);
+  if (!node || std::holds_alternative<std::monostate>(node->painted)) return std::nullopt;
+  const SnapshotPointer scene = m_viewport->context().scene;
+  if (!scene || !scene->terrain || !hasSize(node->painted, scene->terrain->heights)) return std::nullopt;
+  return node->painted;
+}
+
+void SceneTools::paint(const PaintedKind& kind, const std::string& wanted, const PaintedLayer& layer) {
   if (m_document->isLoadingLayers()) {
     Q_EMIT message(tr("The painted layers are still being read."));
     return;
   }
-  if (!release.empty()) return report(edit::paint(*m_document, release, layer, m_session));
-  const SceneNode* node = m_document->scene().firstOf(kGroundTypeLayerType);
+  const SceneNode* node = paintedNode(kind, wanted);
   std::string id = node ? node->id : std::string();
   if (!node) {
     // The new layer and its first stroke are one undo step.
     m_document->undoStack()->beginMacro(tr("Paint ground"));
     m_macro = true;
     const std::string selected = m_document->selected();
-    const Result<std::string> added = edit::addNode(*m_document, kGroundTypeLayerType, tr("Ground types"));
+    const Result<std::string> added =
+        edit::addNode(*m_document, *kind.type, QCoreApplication::translate("Properties", kind.type->label));
     m_document->select(selected);
     if (!added.ok()) {
       Q_EMIT message(QString::fromStdString(added.error().text()));

@@ -44,7 +44,9 @@ class SceneTools : public QObject {
  private:
   void begin();
   void place(const std::string& id, const GizmoPlacement& placement);
-  void paint(const std::string& node, const TiledRaster<std::uint8_t>& layer);
+  const SceneNode* paintedNode(const PaintedKind& kind, const std::string& id) const;
+  std::optional<PaintedLayer> paintedLayer(const PaintedKind& kind, const std::string& id) const;
+  void paint(const PaintedKind& kind, const std::string& wanted, const PaintedLayer& layer);
   void shape(const std::string& id, const FlowGizmo::Values& values);
   void beginOutline(Vec2d corner);
   void finish();

@@ -47,6 +47,27 @@ void drawBrush(QPainter& painter) {
   painter.drawPath(head);
 }
 
+void drawSmooth(QPainter& painter) {
+  QPainterPath wave(QPointF(4, 13));
+  wave.cubicTo(8, 3, 11, 23, 15, 13);
+  wave.cubicTo(18, 6, 22, 12, 28, 12);
+  painter.drawPath(wave);
+  painter.drawLine(QPointF(4, 24), QPointF(28, 24));
+}
+
+void drawErase(QPainter& painter) {
+  painter.drawPolygon(QPolygonF({{12, 25}, {5, 18}, {18, 5}, {26, 13}, {14, 25}}));
+  painter.drawLine(QPointF(11, 12), QPointF(19, 20));
+  painter.drawLine(QPointF(12, 26), QPointF(27, 26));
+}
+
+void drawPick(QPainter& painter) {
+  painter.drawPolyline(QPolygonF({{7, 25}, {8, 20}, {18, 10}}));
+  painter.drawPolyline(QPolygonF({{7, 25}, {12, 24}, {22, 14}}));
+  painter.setBrush(painter.pen().color());
+  painter.drawPolygon(QPolygonF({{16, 8}, {24, 16}, {22, 11}, {27, 7}, {25, 5}, {21, 10}}));
+}
+
 void drawOutline(QPainter& painter) {
   const QPolygonF corners({{6, 11}, {19, 5}, {27, 17}, {17, 27}, {7, 23}});
   painter.drawPolygon(corners);
@@ -54,36 +75,51 @@ void drawOutline(QPainter& painter) {
   for (const QPointF& corner : corners) painter.drawRect(QRectF(corner - QPointF(2, 2), QSizeF(4, 4)));
 }
 
-}  // namespace
-
-QIcon toolIcon(Viewport::Tool tool, const QColor& colour) {
+/// A drawing in units of a 32 x 32 grid with a pen of the colour.
+template <class Draw>
+QIcon drawn(const QColor& colour, const Draw& draw) {
   QPixmap pixmap(kSide, kSide);
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.scale(kSide / 32.0, kSide / 32.0);
   painter.setPen(QPen(colour, 2.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  draw(painter);
+  return QIcon(pixmap);
+}
+
+}  // namespace
+
+QIcon toolIcon(Viewport::Tool tool, const QColor& colour) {
   switch (tool) {
     case Viewport::Tool::Select:
-      drawSelect(painter);
-      break;
+      return drawn(colour, drawSelect);
     case Viewport::Tool::Move:
-      drawMove(painter);
-      break;
+      return drawn(colour, drawMove);
     case Viewport::Tool::Rotate:
-      drawRotate(painter);
-      break;
+      return drawn(colour, drawRotate);
     case Viewport::Tool::Scale:
-      drawScale(painter);
-      break;
+      return drawn(colour, drawScale);
     case Viewport::Tool::Brush:
-      drawBrush(painter);
-      break;
+      return drawn(colour, drawBrush);
     case Viewport::Tool::Outline:
-      drawOutline(painter);
       break;
   }
-  return QIcon(pixmap);
+  return drawn(colour, drawOutline);
+}
+
+QIcon brushIcon(BrushMode mode, const QColor& colour) {
+  switch (mode) {
+    case BrushMode::Paint:
+      return drawn(colour, drawBrush);
+    case BrushMode::Smooth:
+      return drawn(colour, drawSmooth);
+    case BrushMode::Erase:
+      return drawn(colour, drawErase);
+    case BrushMode::Pick:
+      break;
+  }
+  return drawn(colour, drawPick);
 }
 
 QIcon programIcon() {

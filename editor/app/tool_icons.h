@@ -10,6 +10,7 @@ namespace spin {
 
 /// Drawn, not loaded: they follow the palette and any resolution.
 QIcon toolIcon(Viewport::Tool tool, const QColor& colour);
+QIcon brushIcon(BrushMode mode, const QColor& colour);
 /// The program's icon: flakes over a ridge.
 QIcon programIcon();
 

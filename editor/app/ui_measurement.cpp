@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "editor/app/ui_measurement.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QMouseEvent>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "editor/app/main_window.h"
@@ -21,6 +24,10 @@ namespace {
 constexpr int kStartMilliseconds = 1500;
 constexpr int kPlayMilliseconds = 6000;
 constexpr int kTurnMilliseconds = 100;
+constexpr int kPaintMilliseconds = 16;
+constexpr int kStrokeSteps = 60;
+constexpr std::size_t kPaintStrokes = 8;
+constexpr double kPaintRadius = 50.0;
 constexpr double kTurnPixels = 3.0;
 constexpr int kViewWidth = 1280, kViewHeight = 720;
 
@@ -41,8 +48,11 @@ UiMeasurement::UiMeasurement(MainWindow* window, const QString& scene, const QSt
   connect(&m_play, &QTimer::timeout, this, [this] {
     m_window->timeline().setPlaying(false);
     endPhase();
-    begin(Phase::Export);
+    begin(Phase::Paint);
   });
+  m_paint.setInterval(kPaintMilliseconds);
+  m_paint.setTimerType(Qt::PreciseTimer);
+  connect(&m_paint, &QTimer::timeout, this, &UiMeasurement::paintStep);
   connect(&window->viewport(), &Viewport::drawn, this, [this](double seconds) {
     if (!m_figures.empty()) m_figures.back().drawSeconds.push_back(seconds);
   });
@@ -71,17 +81,55 @@ void UiMeasurement::start() {
 }
 
 void UiMeasurement::begin(Phase phase) {
-  static const char* const kNames[] = {"simulate", "play", "export"};
+  static const char* const kNames[] = {"simulate", "play", "paint", "export"};
   m_phase = phase;
   m_figures.push_back({QString::fromLatin1(kNames[static_cast<int>(phase)]), 0.0, 0.0, {}});
   m_elapsed.start();
   m_watchdog.restart();
-  m_turn.start();
+  if (phase != Phase::Paint) m_turn.start();
+  if (phase == Phase::Paint) {
+    m_paintSteps = 0;
+    m_undoBefore = m_window->document().undoStack()->index();
+    m_window->viewport().setTool(Viewport::Tool::Brush);
+    m_window->viewport().setBrushTip({kPaintRadius, 0.5, 0.7});
+    m_paint.start();
+  }
   if (phase == Phase::Play) {
     m_window->timeline().setPlaying(true);
     m_play.start();
   }
   if (phase == Phase::Export) startExport();
+}
+
+/// A stroke of each kind of layer, winding over the view; then all is taken back.
+void UiMeasurement::paintStep() {
+  Viewport& view = m_window->viewport();
+  const int step = m_paintSteps % kStrokeSteps;
+  const auto stroke = static_cast<std::size_t>(m_paintSteps / kStrokeSteps);
+  if (stroke >= kPaintStrokes) return endPaint();
+  if (step == 0) {
+    view.setBrushLayer(paintedKinds()[stroke % 4]);
+    view.setBrushMode(stroke < 4 ? BrushMode::Paint : BrushMode::Smooth);
+  }
+  const double turn = 6.283 * m_paintSteps / kStrokeSteps;
+  const QSizeF size = view.surface()->size();
+  const QPointF at(size.width() * (0.5 + 0.35 * std::cos(1.3 * turn)),
+                   size.height() * (0.62 + 0.25 * std::sin(turn)));
+  const bool begins = step == 0, ends = step == kStrokeSteps - 1;
+  const QEvent::Type type =
+      begins ? QEvent::MouseButtonPress : (ends ? QEvent::MouseButtonRelease : QEvent::MouseMove);
+  QMouseEvent event(type, at, view.surface()->mapToGlobal(at), begins || ends ? Qt::LeftButton : Qt::NoButton,
+                    ends ? Qt::NoButton : Qt::LeftButton, {});
+  QCoreApplication::sendEvent(view.surface(), &event);
+  ++m_paintSteps;
+}
+
+void UiMeasurement::endPaint() {
+  m_paint.stop();
+  m_window->document().undoStack()->setIndex(m_undoBefore);
+  m_window->viewport().setTool(Viewport::Tool::Select);
+  endPhase();
+  begin(Phase::Export);
 }
 
 void UiMeasurement::startExport() {

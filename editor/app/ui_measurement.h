@@ -16,8 +16,8 @@ namespace spin {
 class MainWindow;
 
 /// Measures the window while it works: the scene is read and simulated with the view turning, then played,
-/// then exported. Writes the longest stand-still of the event loop and the times of the pictures per phase as
-/// JSON.
+/// then painted on with all layers of the brush at 60 Hz, then exported. Writes the longest stand-still of
+/// the event loop and the times of the pictures per phase as JSON.
 class UiMeasurement : public QObject {
   Q_OBJECT
  public:
@@ -29,7 +29,7 @@ class UiMeasurement : public QObject {
   void done(bool ok);
 
  private:
-  enum class Phase { Simulate, Play, Export, Done };
+  enum class Phase { Simulate, Play, Paint, Export, Done };
   struct Figures {
     QString name;
     double seconds = 0.0;
@@ -40,6 +40,8 @@ class UiMeasurement : public QObject {
   void begin(Phase phase);
   void endPhase();
   void turnView();
+  void paintStep();
+  void endPaint();
   void startExport();
   void finish(bool ok);
   /// Writes what is measured so far, so that an interrupted run is not lost.
@@ -53,6 +55,9 @@ class UiMeasurement : public QObject {
   QElapsedTimer m_elapsed;
   QTimer m_turn;
   QTimer m_play;
+  QTimer m_paint;
+  int m_paintSteps = 0;
+  int m_undoBefore = 0;
   ExportJob m_export;
   QTemporaryDir m_folder;
   std::vector<Figures> m_figures;

@@ -16,7 +16,24 @@
 
 namespace spin {
 
-Viewport::Viewport(QWidget* parent) : QWidget(parent) {
+namespace {
+
+SnapshotPointer withPreview(const SceneSnapshot& plain, const Viewport::LayerPreview& preview) {
+  auto scene = std::make_shared<SceneSnapshot>(plain);
+  for (SceneNode& node : scene->nodes)
+    if (node.type == preview.kind->type && node.id == preview.node) {
+      node.painted = preview.layer;
+      return scene;
+    }
+  SceneNode node = makeNode(*preview.kind->type, "preview", "preview");
+  node.painted = preview.layer;
+  scene->nodes.push_back(std::move(node));
+  return scene;
+}
+
+}  // namespace
+
+Viewport::Viewport(QWidget* parent) : QWidget(parent), m_chosenKind(&m_brush.kind()) {
   setObjectName("viewport");
   setAcceptDrops(false);
   auto* column = new QVBoxLayout(this);
@@ -38,7 +55,19 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
 Viewport::~Viewport() = default;
 
 void Viewport::setScene(SnapshotPointer scene) {
-  m_scene = std::move(scene);
+  m_plainScene = std::move(scene);
+  showScene();
+}
+
+void Viewport::setPreview(std::optional<LayerPreview> preview) {
+  if (!preview && !m_preview) return;
+  m_preview = std::move(preview);
+  showScene();
+  updateGround();
+}
+
+void Viewport::showScene() {
+  m_scene = m_preview && m_plainScene ? withPreview(*m_plainScene, *m_preview) : m_plainScene;
   m_surface->setScene(m_scene);
   m_navigator.setFloor(m_scene ? eyeFloor(*m_scene) : EyeFloor());
   followSelection();
@@ -72,15 +101,24 @@ void Viewport::setSelected(const std::string& node) {
   refresh();
 }
 
-/// The brush paints the area of a release while one is selected.
+/// The brush paints the selected node where that is painted on.
 void Viewport::followSelection() {
   if (m_brush.painting()) return;
-  const SceneNode* node = findShapeNode(context(), m_selected);
-  m_brush.setRelease(node && node->as<AvalancheReleaseNode>() ? m_selected : std::string());
+  const PaintedKind* kind = nullptr;
+  if (m_scene)
+    for (const SceneNode& node : m_scene->nodes)
+      if (node.id == m_selected) kind = paintedKind(*node.type);
+  const std::string id = kind ? m_selected : std::string();
+  if (!kind) kind = m_chosenKind;
+  if (kind == &m_brush.kind() && id == m_brush.node()) return;
+  m_brush.setLayer(*kind, id);
+  updateGround();
+  Q_EMIT brushChanged();
 }
 
 void Viewport::setTool(Tool tool) {
   if (editing()) endEdit();
+  endAdjust(false);
   m_tool = tool;
   if (tool == Tool::Rotate)
     m_gizmo.setMode(GizmoMode::Rotate);
@@ -91,7 +129,7 @@ void Viewport::setTool(Tool tool) {
   m_brush.leave();
   const bool draws = tool == Tool::Brush || tool == Tool::Outline;
   m_surface->setCursor(draws ? Qt::CrossCursor : Qt::ArrowCursor);
-  updateOverlay();
+  updateGround();
 }
 
 void Viewport::setGizmoAxes(GizmoAxes axes) {
@@ -100,8 +138,24 @@ void Viewport::setGizmoAxes(GizmoAxes axes) {
 }
 
 void Viewport::setGroundDisplay(GroundDisplay display) {
-  m_options.ground = display;
+  m_groundDisplay = display;
+  updateGround();
+}
+
+void Viewport::setShowPainted(bool on) {
+  m_showPainted = on;
+  updateGround();
+}
+
+/// What is painted shows while it is painted, unless the ground's own look is wanted.
+void Viewport::updateGround() {
+  m_options.ground = m_groundDisplay;
+  if (m_preview)
+    m_options.ground = displayOf(*m_preview->kind);
+  else if (m_tool == Tool::Brush && m_showPainted)
+    m_options.ground = displayOf(m_brush.kind());
   refresh();
+  updateOverlay();
 }
 
 void Viewport::setShowSnow(bool on) {
@@ -119,13 +173,6 @@ void Viewport::setLookThrough(bool on) {
   m_lookThrough = on;
   refresh();
   Q_EMIT lookThroughChanged(on);
-}
-
-void Viewport::setBrushRadius(double metres) {
-  if (metres == m_brush.radius()) return;
-  m_brush.setRadius(metres);
-  updateOverlay();
-  Q_EMIT brushRadiusChanged(metres);
 }
 
 void Viewport::setEmptyHint(const QString& title, const QString& text) {
@@ -218,8 +265,10 @@ void Viewport::paintOverlay(QPainter& painter) const {
   if (m_lookThrough) paintBadge(painter, tr("Camera view"));
   if (m_legend) paintLegend(painter, QRectF(m_surface->rect()), *m_legend);
   paintShapes(painter, seen);
+  if (const GroundScale* scale = groundScale(m_options.ground))
+    paintGroundLegend(painter, QRectF(m_surface->rect()), *scale);
   if (m_tool == Tool::Brush) {
-    paintLoop(painter, seen.view, m_brush.rim(seen));
+    paintBrush(painter, seen);
   } else if (m_tool != Tool::Select) {
     const auto pose = m_gizmo.pose(seen);
     const GizmoHandle active = m_gizmo.dragging() ? m_gizmo.activeHandle() : m_hovered;

@@ -5,8 +5,11 @@
 #include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
+#include <functional>
 
 #include "editor/render/flow_scale.h"
+#include "editor/render/ground_scale.h"
+#include "editor/viewport/brush_adjust.h"
 #include "editor/viewport/flow_gizmo.h"
 #include "editor/viewport/ground_brush.h"
 #include "editor/viewport/view_navigator.h"
@@ -34,13 +37,37 @@ class Viewport : public QWidget {
   void setTool(Tool tool);
   void setGizmoAxes(GizmoAxes axes);
   void setGroundDisplay(GroundDisplay display);
+  /// Whether the ground shows the painted layer while the brush is the tool; else always as
+  /// setGroundDisplay() says.
+  void setShowPainted(bool on);
+  bool showPainted() const { return m_showPainted; }
+  GroundDisplay shownGround() const { return m_options.ground; }
   void setShowSnow(bool on);
   void setShowFlakes(bool on);
   /// Shows what the scene's camera sees; moving the view ends it.
   void setLookThrough(bool on);
   bool lookThrough() const { return m_lookThrough; }
-  GroundBrush& brush() { return m_brush; }
+  const GroundBrush& brush() const { return m_brush; }
+  void setBrushTip(const BrushTip& tip);
   void setBrushRadius(double metres);
+  void setBrushMode(BrushMode mode);
+  void setBrushValue(double si);
+  void setBrushPressure(bool onStrength, bool onRadius);
+  /// What the brush paints; an empty node is the first of the kind. A selected node that is painted takes its
+  /// place.
+  void setBrushLayer(const PaintedKind& kind, const std::string& node = {});
+  /// Where strokes take the layer from that they begin with: the document, of which the snapshot may be a
+  /// moment behind. Without it, or where it gives nothing, the snapshot's.
+  std::function<std::optional<PaintedLayer>(const PaintedKind& kind, const std::string& node)> layerSource;
+  /// The layer as strokes begin with it. Requires terrain.
+  PaintedLayer layerToPaint() const;
+  /// A layer that is shown in the place of the scene's, to see what would come.
+  struct LayerPreview {
+    const PaintedKind* kind = nullptr;
+    std::string node;  ///< empty = the scene has none
+    PaintedLayer layer;
+  };
+  void setPreview(std::optional<LayerPreview> preview);
   /// Message shown while the scene is empty.
   void setEmptyHint(const QString& title, const QString& text);
 
@@ -66,9 +93,9 @@ class Viewport : public QWidget {
   void nodeClicked(const std::string& id);
   /// The gizmo is dragged: placement of a model node, again and again until editFinished().
   void placementEdited(const std::string& id, const spin::GizmoPlacement& placement);
-  /// The brush paints: the whole layer, again and again until editFinished(). The node is a release, or empty
-  /// for ground types.
-  void layerPainted(const std::string& node, const spin::TiledRaster<std::uint8_t>& layer);
+  /// The brush paints: the whole layer, again and again until editFinished(). An empty node is the first of
+  /// the kind, which may have to be made.
+  void layerPainted(const spin::PaintedKind& kind, const std::string& node, const spin::PaintedLayer& layer);
   /// A handle of a release, source or sink is dragged: properties of the node, again and again until
   /// editFinished().
   void shapeEdited(const std::string& id, const spin::FlowGizmo::Values& values);
@@ -79,6 +106,8 @@ class Viewport : public QWidget {
   /// Escape: take back what editStarted() began.
   void editCancelled();
   void brushRadiusChanged(double metres);
+  /// Anything of the brush: tip, mode, layer, value.
+  void brushChanged();
   void lookThroughChanged(bool on);
   void drawn(double seconds);
   void failed(const QString& message);
@@ -90,16 +119,26 @@ class Viewport : public QWidget {
   bool press(const QMouseEvent& event);
   bool move(const QMouseEvent& event);
   bool release(const QMouseEvent& event);
+  bool tablet(const QTabletEvent& event);
   bool wheel(const QWheelEvent& event);
   bool cancelEdit();
   bool keyPress(const QKeyEvent& event);
   bool removeCorner();
-  bool beginEdit(Vec2d pixel);
+  bool beginEdit(const QMouseEvent& event);
+  bool beginBrush(Vec2d pixel, Qt::KeyboardModifiers keys);
+  bool pick();
+  bool brushKey(const QKeyEvent& event);
+  bool adjust(const QMouseEvent& event);
+  void endAdjust(bool keep);
+  BrushMode modeFor(Qt::KeyboardModifiers keys) const;
   bool beginShape(Vec2d pixel);
   bool editing() const { return m_gizmo.dragging() || m_brush.painting() || m_shape.dragging(); }
   void dragShape(const QMouseEvent& event);
   void followSelection();
   void updateLegend();
+  void updateGround();
+  void showScene();
+  void paintBrush(QPainter& painter, const ViewportContext& seen) const;
   void paintShapes(QPainter& painter, const ViewportContext& seen) const;
   void endEdit();
   void hover(Vec2d pixel);
@@ -112,7 +151,9 @@ class Viewport : public QWidget {
   void flyTo(const Box3d& box);
   double now() const;
 
-  SnapshotPointer m_scene;
+  SnapshotPointer m_plainScene;  ///< as it was given
+  SnapshotPointer m_scene;       ///< with the preview
+  std::optional<LayerPreview> m_preview;
   FramePointer m_frame;
   std::optional<FlowLegend> m_legend;
   double m_filmTime = 0.0;
@@ -122,9 +163,15 @@ class Viewport : public QWidget {
   ModelGizmo m_gizmo;
   FlowGizmo m_shape;
   GroundBrush m_brush;
+  std::optional<BrushAdjust> m_adjust;
+  const PaintedKind* m_chosenKind;  ///< what the brush paints while no painted node is selected
+  double m_pressure = 1.0;          ///< of the pen
+  Qt::KeyboardModifiers m_keys;     ///< as the last event of the pointer had them
   Vec2d m_pointer{};
   GizmoHandle m_hovered = GizmoHandle::None;
   RenderOptions m_options;
+  GroundDisplay m_groundDisplay = GroundDisplay::Natural;
+  bool m_showPainted = true;
   bool m_lookThrough = false;
   QPointF m_pressed;
   bool m_clicking = false;

@@ -3,6 +3,7 @@
 // The pointer and keys of the viewport.
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QTabletEvent>
 #include <QWheelEvent>
 
 #include "core/nodes/flow_nodes.h"
@@ -33,6 +34,14 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
       return release(*static_cast<QMouseEvent*>(event));
     case QEvent::Wheel:
       return wheel(*static_cast<QWheelEvent*>(event));
+    case QEvent::TabletPress:
+    case QEvent::TabletMove:
+    case QEvent::TabletRelease:
+      if (!tablet(*static_cast<QTabletEvent*>(event))) return false;
+      event->accept();
+      return true;
+    case QEvent::KeyRelease:
+      return brushKey(*static_cast<QKeyEvent*>(event));
     case QEvent::ShortcutOverride:
     case QEvent::KeyPress:
       if (!keyPress(*static_cast<QKeyEvent*>(event))) return false;
@@ -51,6 +60,7 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
 /// True for keys that mean something here; others go on to the window's shortcuts.
 bool Viewport::keyPress(const QKeyEvent& event) {
   if (event.key() == Qt::Key_Escape) return cancelEdit();
+  if (brushKey(event)) return true;
   if (event.key() != Qt::Key_Delete && event.key() != Qt::Key_Backspace) return false;
   if (m_tool != Tool::Outline || editing() || !m_shape.withoutCorner(context(), m_pointer)) return false;
   // The announcement of a shortcut comes first; the press that follows does the work.
@@ -69,24 +79,21 @@ bool Viewport::removeCorner() {
 
 bool Viewport::press(const QMouseEvent& event) {
   if (editing()) return true;
+  if (m_adjust) return adjust(event);
   if (m_navigator.press(event)) {
     leaveLookThrough();
     return true;
   }
   if (event.button() != Qt::LeftButton) return false;
   m_pressed = event.position();
-  m_clicking = !beginEdit(pixelOf(event.position()));
+  m_clicking = !beginEdit(event);
   return true;
 }
 
-bool Viewport::beginEdit(Vec2d pixel) {
+bool Viewport::beginEdit(const QMouseEvent& event) {
+  const Vec2d pixel = pixelOf(event.position());
   const ViewportContext seen = context();
-  if (m_tool == Tool::Brush) {
-    if (!m_brush.begin(seen, pixel)) return false;
-    Q_EMIT editStarted();
-    Q_EMIT layerPainted(m_brush.release(), m_brush.layer());
-    return true;
-  }
+  if (m_tool == Tool::Brush) return beginBrush(pixel, event.modifiers());
   if (m_tool != Tool::Select && beginShape(pixel)) return true;
   if (m_tool == Tool::Select || m_tool == Tool::Outline || !m_gizmo.begin(seen, pixel)) return false;
   Q_EMIT editStarted();
@@ -124,6 +131,8 @@ void Viewport::dragShape(const QMouseEvent& event) {
 bool Viewport::move(const QMouseEvent& event) {
   const Vec2d pixel = pixelOf(event.position());
   m_pointer = pixel;
+  m_keys = event.modifiers();
+  if (m_adjust) return adjust(event);
   if (m_navigator.move(event, m_surface->height())) {
     cameraMoved();
     return true;
@@ -140,7 +149,8 @@ bool Viewport::move(const QMouseEvent& event) {
   }
   if (m_brush.painting()) {
     m_surface->setMoving(true);
-    if (m_brush.drag(context(), pixel)) Q_EMIT layerPainted(m_brush.release(), m_brush.layer());
+    if (m_brush.drag(context(), pixel, m_pressure))
+      Q_EMIT layerPainted(m_brush.kind(), m_brush.node(), m_brush.layer());
     updateOverlay();
     return true;
   }
@@ -160,6 +170,7 @@ void Viewport::hover(Vec2d pixel) {
 }
 
 bool Viewport::release(const QMouseEvent& event) {
+  if (m_adjust) return adjust(event);
   if (m_navigator.release(event)) {
     m_surface->setMoving(false);
     return true;
@@ -193,6 +204,10 @@ void Viewport::endEdit() {
 }
 
 bool Viewport::cancelEdit() {
+  if (m_adjust) {
+    endAdjust(false);
+    return true;
+  }
   if (!editing()) return false;
   m_gizmo.end();
   m_brush.end();
@@ -207,7 +222,7 @@ bool Viewport::wheel(const QWheelEvent& event) {
   const double steps = event.angleDelta().y() / kWheelUnitsPerStep;
   if (steps == 0.0) return false;
   if (m_tool == Tool::Brush && event.modifiers().testFlag(Qt::ControlModifier)) {
-    setBrushRadius(steppedBrushRadius(m_brush.radius(), steps > 0 ? 1 : -1));
+    setBrushRadius(steppedBrushRadius(m_brush.tip().radius, steps > 0 ? 1 : -1));
     return true;
   }
   leaveLookThrough();

@@ -144,7 +144,7 @@ class FlowWindowTest : public QObject {
     Q_EMIT view.editStarted();
     for (int i = 5; i < 9; ++i) {
       layer.set(i, 4, kReleasePainted);
-      Q_EMIT view.layerPainted(*added, layer);
+      Q_EMIT view.layerPainted(*paintedKind(kAvalancheReleaseType), *added, layer);
     }
     Q_EMIT view.editFinished();
     QCOMPARE(f.document().undoStack()->index(), before + 1);
@@ -163,15 +163,17 @@ class FlowWindowTest : public QObject {
     Fixture f;
     f.window.show();
     f.action("toolBrush")->trigger();
-    auto* types = f.window.findChild<QComboBox*>(QStringLiteral("brushType"));
-    auto* area = f.window.findChild<QComboBox*>(QStringLiteral("brushArea"));
-    QTRY_VERIFY(types->isVisible());
-    QVERIFY(!area->isVisible());
+    auto* layer = f.window.findChild<QComboBox*>(QStringLiteral("brushLayer"));
+    auto* value = f.window.findChild<QWidget*>(QStringLiteral("brushValue"));
+    QTRY_VERIFY(value->isVisible());
+    QCOMPARE(layer->currentIndex(), 0);
+    f.addAsset(kTerrainType, "hill.asc");
     QVERIFY(f.window.tools().addNode(kAvalancheReleaseType, QStringLiteral("Slab")).ok());
-    QTRY_VERIFY(!types->isVisible());
-    QTRY_VERIFY(area->isVisible());
-    area->setCurrentIndex(1);
-    QVERIFY(f.window.viewport().brush().rubsOut());
+    QTRY_VERIFY(!value->isVisible());
+    QVERIFY(layer->isVisible());
+    QCOMPARE(layer->currentIndex(), -1);
+    f.action("brushErase")->trigger();
+    QCOMPARE(f.window.viewport().brush().mode(), BrushMode::Erase);
   }
 
   void aModelIsMadeSolidOnce() {

@@ -329,7 +329,7 @@ class MainWindowTest : public QObject {
     Q_EMIT view.editStarted();
     for (int i = 10; i < 20; ++i) {
       layer.set(i, 12, 4);
-      Q_EMIT view.layerPainted({}, layer);
+      Q_EMIT view.layerPainted(*paintedKind(kGroundTypeLayerType), {}, layer);
     }
     Q_EMIT view.editFinished();
     QCOMPARE(f.window.document().undoStack()->index(), before + 1);

@@ -58,12 +58,22 @@ class FakeReader final : public AssetReader {
     return badInput("No layers here", path, "the reader of the tests knows none");
   }
   Result<RasterImport> readRaster(const std::string& path, const CancelToken&) override {
-    return badInput("No rasters here", path, "the reader of the tests knows none");
+    if (raster.values.empty()) return badInput("No rasters here", path, "the reader of the tests knows none");
+    return raster;
   }
-  Status writeLayer(const PaintedLayer&, const LayerFormat&, const TerrainData&,
-                    const std::string&) override {
+  Status writeLayer(const PaintedLayer& layer, const LayerFormat& format, const TerrainData&,
+                    const std::string& path) override {
+    written = {path, format, layer};
     return {};
   }
+
+  RasterImport raster;  ///< what readRaster() answers
+  struct Written {
+    std::string path;
+    LayerFormat format;
+    PaintedLayer layer;
+  };
+  Written written;  ///< last
 };
 
 /// The hill with a cube on its top; the cube's node is "cube".

@@ -139,9 +139,9 @@ class FlowToolsTest : public QObject {
     std::string node = "none";
     TiledRaster<std::uint8_t> layer(1, 1, 0);
     connect(&f.viewport, &Viewport::layerPainted, &f.viewport,
-            [&](const std::string& id, const TiledRaster<std::uint8_t>& painted) {
+            [&](const PaintedKind&, const std::string& id, const PaintedLayer& painted) {
               node = id;
-              layer = painted;
+              layer = std::get<TiledRaster<std::uint8_t>>(painted);
             });
     QTest::mouseClick(f.viewport.surface(), Qt::LeftButton, {}, f.pixel(80, 80));
     QCOMPARE(node, std::string());
@@ -150,9 +150,11 @@ class FlowToolsTest : public QObject {
     QCOMPARE(node, std::string("slab"));
     QCOMPARE(layer.at(20, 20), kReleasePainted);
     QCOMPARE(layer.at(40, 40), kReleaseUnpainted);
-    f.viewport.brush().setRubsOut(true);
+    f.viewport.setBrushMode(BrushMode::Erase);
     QTest::mouseClick(f.viewport.surface(), Qt::LeftButton, {}, f.pixel(80, 80));
     QCOMPARE(layer.at(20, 20), kReleaseUnpainted);
+    f.viewport.setSelected({});
+    QCOMPARE(&f.viewport.brush().kind(), paintedKind(kGroundTypeLayerType));
   }
 
   void aClickOnALineSelectsItsNode() {

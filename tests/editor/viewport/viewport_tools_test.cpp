@@ -174,10 +174,12 @@ class ViewportToolsTest : public QObject {
     Fixture f;
     f.viewport.setTool(Viewport::Tool::Brush);
     f.viewport.setBrushRadius(6.0);
-    f.viewport.brush().setValue(static_cast<std::uint8_t>(GroundType::Ice));
+    f.viewport.setBrushValue(static_cast<double>(GroundType::Ice));
     TiledRaster<std::uint8_t> layer;
     connect(&f.viewport, &Viewport::layerPainted, &f.viewport,
-            [&](const std::string&, const TiledRaster<std::uint8_t>& l) { layer = l; });
+            [&](const PaintedKind&, const std::string&, const PaintedLayer& l) {
+              layer = std::get<TiledRaster<std::uint8_t>>(l);
+            });
     QSignalSpy finished(&f.viewport, &Viewport::editFinished);
     const TerrainSurface surface(f.viewport.context().scene->terrain->heights);
     const auto on = [&](double x, double y) { return f.pixel({x, y, *surface.heightAt(x, y)}); };
