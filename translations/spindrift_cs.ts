@@ -1534,6 +1534,70 @@
         <source>Ground type</source>
         <translation>Typ povrchu</translation>
     </message>
+    <message>
+        <source>Blur</source>
+        <translation>Rozostření</translation>
+    </message>
+    <message>
+        <source>Softens edges; what is not painted stays so.</source>
+        <translation>Změkčí okraje; co není namalováno, zůstane tak.</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Medián</translation>
+    </message>
+    <message>
+        <source>Takes specks away and keeps edges.</source>
+        <translation>Odstraní tečky a zachová okraje.</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Rozšířit</translation>
+    </message>
+    <message>
+        <source>High values and painted areas grow.</source>
+        <translation>Vysoké hodnoty a namalované plochy se rozšíří.</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>Zúžit</translation>
+    </message>
+    <message>
+        <source>High values and painted areas shrink.</source>
+        <translation>Vysoké hodnoty a namalované plochy se zúží.</translation>
+    </message>
+    <message>
+        <source>Remove specks</source>
+        <translation>Odstranit tečky</translation>
+    </message>
+    <message>
+        <source>Shrinks, then grows: small areas vanish.</source>
+        <translation>Zúží, pak rozšíří: malé plochy zmizí.</translation>
+    </message>
+    <message>
+        <source>Fill gaps</source>
+        <translation>Uzavřít mezery</translation>
+    </message>
+    <message>
+        <source>Grows, then shrinks: small gaps close.</source>
+        <translation>Rozšíří, pak zúží: malé mezery se uzavřou.</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Práh</translation>
+    </message>
+    <message>
+        <source>Shares become all or nothing; of other layers what is less is taken away.</source>
+        <translation>Podíly budou vše, nebo nic; z ostatních vrstev zmizí, co je menší.</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Obrátit</translation>
+    </message>
+    <message>
+        <source>What was full becomes empty and the other way round.</source>
+        <translation>Co bylo plné, bude prázdné a naopak.</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>
@@ -1598,6 +1662,133 @@
     <message>
         <source>The folder for recovery copies cannot be used: %1</source>
         <translation>Složku pro záchranné kopie nelze použít: %1</translation>
+    </message>
+</context>
+<context>
+    <name>spin::BrushBar</name>
+    <message>
+        <source>What the brush paints; a selected painted node takes its place</source>
+        <translation>Co štětec maluje; vybraný malovaný uzel má přednost</translation>
+    </message>
+    <message>
+        <source>What the brush paints (Ctrl + click in the view picks it)</source>
+        <translation>Co štětec maluje (Ctrl + klepnutí v pohledu hodnotu vezme)</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malovat</translation>
+    </message>
+    <message>
+        <source>Smooth, also with Shift held</source>
+        <translation>Vyhladit, také s klávesou Shift</translation>
+    </message>
+    <message>
+        <source>Erase to not painted</source>
+        <translation>Mazat do nenamalovaného stavu</translation>
+    </message>
+    <message>
+        <source>Pick a value, also with Ctrl held</source>
+        <translation>Vzít hodnotu, také s klávesou Ctrl</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Radius of the brush (F and move the pointer; [ and ]; Ctrl + wheel)</source>
+        <translation>Poloměr štětce (F a pohyb ukazatele; [ a ]; Ctrl + kolečko)</translation>
+    </message>
+    <message>
+        <source>Strength </source>
+        <translation>Síla </translation>
+    </message>
+    <message>
+        <source>How far a stroke goes towards the value (Shift+F and move the pointer)</source>
+        <translation>Jak daleko tah dojde k hodnotě (Shift+F a pohyb ukazatele)</translation>
+    </message>
+    <message>
+        <source>Hardness </source>
+        <translation>Tvrdost </translation>
+    </message>
+    <message>
+        <source>Share of the radius that has the full strength: the inner ring</source>
+        <translation>Podíl poloměru s plnou silou: vnitřní kruh</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Pen</source>
+        <translation>Pero</translation>
+    </message>
+    <message>
+        <source>What the pressure of a pen changes</source>
+        <translation>Co mění přítlak pera</translation>
+    </message>
+    <message>
+        <source>Pressure changes the strength</source>
+        <translation>Přítlak mění sílu</translation>
+    </message>
+    <message>
+        <source>A light touch paints little</source>
+        <translation>Lehký dotek maluje slabě</translation>
+    </message>
+    <message>
+        <source>Pressure changes the radius</source>
+        <translation>Přítlak mění poloměr</translation>
+    </message>
+    <message>
+        <source>A light touch paints narrow</source>
+        <translation>Lehký dotek maluje úzce</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Vrstva</translation>
+    </message>
+    <message>
+        <source>What is done to the whole layer: fill, filters, files</source>
+        <translation>Co se dělá s celou vrstvou: výplň, filtry, soubory</translation>
+    </message>
+    <message>
+        <source>&amp;Fill...</source>
+        <translation>Vy&amp;plnit...</translation>
+    </message>
+    <message>
+        <source>Fill by altitude, slope and aspect</source>
+        <translation>Vyplnit podle nadmořské výšky, sklonu a orientace</translation>
+    </message>
+    <message>
+        <source>F&amp;ilter...</source>
+        <translation>F&amp;iltr...</translation>
+    </message>
+    <message>
+        <source>Blur, grow, shrink and more</source>
+        <translation>Rozostření, rozšíření, zúžení a další</translation>
+    </message>
+    <message>
+        <source>&amp;Clear</source>
+        <translation>&amp;Vymazat</translation>
+    </message>
+    <message>
+        <source>Take away all that is painted</source>
+        <translation>Odstranit vše namalované</translation>
+    </message>
+    <message>
+        <source>I&amp;mport...</source>
+        <translation>I&amp;mportovat...</translation>
+    </message>
+    <message>
+        <source>Take the layer from a picture or a GeoTIFF</source>
+        <translation>Vzít vrstvu z obrázku nebo GeoTIFF</translation>
+    </message>
+    <message>
+        <source>&amp;Export...</source>
+        <translation>&amp;Exportovat...</translation>
+    </message>
+    <message>
+        <source>Write the layer as a picture or a GeoTIFF</source>
+        <translation>Zapsat vrstvu jako obrázek nebo GeoTIFF</translation>
     </message>
 </context>
 <context>
@@ -1775,6 +1966,200 @@
     <message>
         <source>Save as...</source>
         <translation>Uložit jako...</translation>
+    </message>
+</context>
+<context>
+    <name>spin::FillDialog</name>
+    <message>
+        <source>Fill: %1</source>
+        <translation>Vyplnit: %1</translation>
+    </message>
+    <message>
+        <source>What the layer is filled with</source>
+        <translation>Čím se vrstva vyplní</translation>
+    </message>
+    <message>
+        <source>How the value joins what is painted there</source>
+        <translation>Jak se hodnota spojí s tím, co je namalováno</translation>
+    </message>
+    <message>
+        <source>Replaces what is there</source>
+        <translation>Nahradí, co tam je</translation>
+    </message>
+    <message>
+        <source>The larger of both</source>
+        <translation>Větší z obou</translation>
+    </message>
+    <message>
+        <source>Is added</source>
+        <translation>Přičte se</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Hodnota</translation>
+    </message>
+    <message>
+        <source>Combine</source>
+        <translation>Spojení</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>Nadmořská výška</translation>
+    </message>
+    <message>
+        <source>Height above sea</source>
+        <translation>Výška nad mořem</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Sklon</translation>
+    </message>
+    <message>
+        <source>Steepness from level ground</source>
+        <translation>Strmost od vodorovné plochy</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Aspect</source>
+        <translation>Orientace svahu</translation>
+    </message>
+    <message>
+        <source>The way the ground faces, clockwise: 0 north, 90 east</source>
+        <translation>Kam je svah obrácen, po směru hodin: 0 sever, 90 východ</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Vyplnit</translation>
+    </message>
+    <message>
+        <source>Fill as the view shows it; one undo step</source>
+        <translation>Vyplní tak, jak ukazuje pohled; jeden krok zpět</translation>
+    </message>
+    <message>
+        <source>Where the range begins</source>
+        <translation>Kde rozsah začíná</translation>
+    </message>
+    <message>
+        <source>Where the range ends</source>
+        <translation>Kde rozsah končí</translation>
+    </message>
+    <message>
+        <source>Width of the soft edge on either side</source>
+        <translation>Šířka měkkého okraje na obou stranách</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>až</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Od</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Měkký okraj</translation>
+    </message>
+    <message>
+        <source>A quarter of the horizon by name</source>
+        <translation>Čtvrtina obzoru podle světové strany</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Sever</translation>
+    </message>
+    <message>
+        <source>North-east</source>
+        <translation>Severovýchod</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Východ</translation>
+    </message>
+    <message>
+        <source>South-east</source>
+        <translation>Jihovýchod</translation>
+    </message>
+    <message>
+        <source>South</source>
+        <translation>Jih</translation>
+    </message>
+    <message>
+        <source>South-west</source>
+        <translation>Jihozápad</translation>
+    </message>
+    <message>
+        <source>West</source>
+        <translation>Západ</translation>
+    </message>
+    <message>
+        <source>North-west</source>
+        <translation>Severozápad</translation>
+    </message>
+    <message>
+        <source>Own range</source>
+        <translation>Vlastní rozsah</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Směřuje</translation>
+    </message>
+    <message>
+        <source>Fills %1 % of the terrain, %2.</source>
+        <translation>Vyplní %1 % terénu, %2.</translation>
+    </message>
+    <message>
+        <source>%1 km²</source>
+        <translation>%1 km²</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+</context>
+<context>
+    <name>spin::FilterDialog</name>
+    <message>
+        <source>Filter: %1</source>
+        <translation>Filtr: %1</translation>
+    </message>
+    <message>
+        <source>What the filter does</source>
+        <translation>Co filtr dělá</translation>
+    </message>
+    <message>
+        <source>How far the filter reaches</source>
+        <translation>Kam až filtr dosáhne</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>What is less is taken away</source>
+        <translation>Co je menší, zmizí</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtr</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Poloměr</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Práh</translation>
+    </message>
+    <message>
+        <source>Filter as the view shows it; one undo step</source>
+        <translation>Filtruje tak, jak ukazuje pohled; jeden krok zpět</translation>
     </message>
 </context>
 <context>
@@ -1958,6 +2343,148 @@
     <message>
         <source>No issues</source>
         <translation>Žádné problémy</translation>
+    </message>
+</context>
+<context>
+    <name>spin::LayerFileDialog</name>
+    <message>
+        <source>Export: %1</source>
+        <translation>Export: %1</translation>
+    </message>
+    <message>
+        <source>Import: %1</source>
+        <translation>Import: %1</translation>
+    </message>
+    <message>
+        <source>GeoTIFF keeps the values and where nothing is painted; a PNG is a grey picture</source>
+        <translation>GeoTIFF uchová hodnoty i to, kde není nic namalováno; PNG je šedý obrázek</translation>
+    </message>
+    <message>
+        <source>GeoTIFF</source>
+        <translation>GeoTIFF</translation>
+    </message>
+    <message>
+        <source>PNG, 8 bit</source>
+        <translation>PNG, 8 bitů</translation>
+    </message>
+    <message>
+        <source>PNG, 16 bit</source>
+        <translation>PNG, 16 bitů</translation>
+    </message>
+    <message>
+        <source>What black stands for</source>
+        <translation>Co znamená černá</translation>
+    </message>
+    <message>
+        <source>What white stands for</source>
+        <translation>Co znamená bílá</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formát</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Černá</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Bílá</translation>
+    </message>
+    <message>
+        <source>Choose file...</source>
+        <translation>Vybrat soubor...</translation>
+    </message>
+    <message>
+        <source>Choose where to write</source>
+        <translation>Vybrat, kam zapsat</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importovat</translation>
+    </message>
+    <message>
+        <source>Take the file as the view shows it; one undo step</source>
+        <translation>Převezme soubor tak, jak ukazuje pohled; jeden krok zpět</translation>
+    </message>
+    <message>
+        <source>What is not painted becomes black.</source>
+        <translation>Co není namalováno, bude černé.</translation>
+    </message>
+    <message>
+        <source>%1 x %2 cells</source>
+        <translation>%1 x %2 buněk</translation>
+    </message>
+    <message>
+        <source>real numbers</source>
+        <translation>reálná čísla</translation>
+    </message>
+    <message>
+        <source>%1 bit</source>
+        <translation>%1 bitů</translation>
+    </message>
+    <message>
+        <source>with its place in the world</source>
+        <translation>s umístěním ve světě</translation>
+    </message>
+    <message>
+        <source>laid over the whole terrain</source>
+        <translation>položeno přes celý terén</translation>
+    </message>
+</context>
+<context>
+    <name>spin::LayerTools</name>
+    <message>
+        <source>Written: %1</source>
+        <translation>Zapsáno: %1</translation>
+    </message>
+    <message>
+        <source>The painted layers are still being read.</source>
+        <translation>Malované vrstvy se ještě načítají.</translation>
+    </message>
+    <message>
+        <source>There is no terrain to paint on: import one first.</source>
+        <translation>Není terén, na který by se malovalo: nejprve jej importujte.</translation>
+    </message>
+    <message>
+        <source>Fill %1</source>
+        <translation>Vyplnit: %1</translation>
+    </message>
+    <message>
+        <source>Filters work on temperature, depth and keep-clear layers; for ground types there is the smoothing brush.</source>
+        <translation>Filtry pracují s vrstvami teploty, výšky sněhu a udržování bez sněhu; pro typy povrchu je vyhlazovací štětec.</translation>
+    </message>
+    <message>
+        <source>No plugin with filters is installed.</source>
+        <translation>Není nainstalován žádný modul s filtry.</translation>
+    </message>
+    <message>
+        <source>Filter %1</source>
+        <translation>Filtrovat: %1</translation>
+    </message>
+    <message>
+        <source>Import a layer</source>
+        <translation>Import vrstvy</translation>
+    </message>
+    <message>
+        <source>Rasters (*.png *.tif *.tiff *.asc *.xyz)</source>
+        <translation>Rastry (*.png *.tif *.tiff *.asc *.xyz)</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>Importovat: %1</translation>
+    </message>
+    <message>
+        <source>Export a layer</source>
+        <translation>Export vrstvy</translation>
+    </message>
+    <message>
+        <source>Clear %1</source>
+        <translation>Vymazat: %1</translation>
+    </message>
+    <message>
+        <source>The last change of a layer is still being worked out.</source>
+        <translation>Poslední změna vrstvy se ještě počítá.</translation>
     </message>
 </context>
 <context>
@@ -2147,22 +2674,6 @@
         <translation>Úchyty podél vlastních os modelu (X)</translation>
     </message>
     <message>
-        <source>Ground type that the brush paints</source>
-        <translation>Typ povrchu, který štětec maluje</translation>
-    </message>
-    <message>
-        <source>Rub out</source>
-        <translation>Vymazat</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
-        <source>Radius of the brush ([ and ], or Ctrl + wheel)</source>
-        <translation>Poloměr štětce ([ a ], nebo Ctrl + kolečko)</translation>
-    </message>
-    <message>
         <source>Smaller brush</source>
         <translation>Menší štětec</translation>
     </message>
@@ -2295,20 +2806,8 @@
         <translation>Zahodit všechny spočítané snímky a začít znovu</translation>
     </message>
     <message>
-        <source>Paint ground types, or the area of the selected release</source>
-        <translation>Malovat druhy země, nebo plochu vybraného odtrhu</translation>
-    </message>
-    <message>
         <source>Draw the outline of a release</source>
         <translation>Kreslit obrys odtrhu</translation>
-    </message>
-    <message>
-        <source>What the brush does to the area of the selected release</source>
-        <translation>Co štětec dělá s plochou vybraného odtrhu</translation>
-    </message>
-    <message>
-        <source>Release here</source>
-        <translation>Zde utrhnout</translation>
     </message>
     <message>
         <source>Shift while dragging a handle of flow</source>
@@ -2333,6 +2832,42 @@
     <message>
         <source>Take the corner out</source>
         <translation>Roh odebrat</translation>
+    </message>
+    <message>
+        <source>&amp;Painted layer</source>
+        <translation>&amp;Malovaná vrstva</translation>
+    </message>
+    <message>
+        <source>Painted snow &amp;depth</source>
+        <translation>Malovaná &amp;výška sněhu</translation>
+    </message>
+    <message>
+        <source>What is &amp;kept clear</source>
+        <translation>Co se udržuje &amp;bez sněhu</translation>
+    </message>
+    <message>
+        <source>The &amp;painted layer while painting</source>
+        <translation>&amp;Malovaná vrstva při malování</translation>
+    </message>
+    <message>
+        <source>Paint ground types, temperature, snow depth, what is kept clear, or the selected release</source>
+        <translation>Malovat typy povrchu, teplotu, výšku sněhu, plochy bez sněhu nebo vybraný odtrh</translation>
+    </message>
+    <message>
+        <source>F, Shift + F with the brush</source>
+        <translation>F, Shift + F se štětcem</translation>
+    </message>
+    <message>
+        <source>Radius and strength by moving the pointer</source>
+        <translation>Poloměr a síla pohybem ukazatele</translation>
+    </message>
+    <message>
+        <source>Shift, Ctrl with the brush</source>
+        <translation>Shift, Ctrl se štětcem</translation>
+    </message>
+    <message>
+        <source>Smooth; pick the value under the pointer</source>
+        <translation>Vyhladit; vzít hodnotu pod ukazatelem</translation>
     </message>
 </context>
 <context>
@@ -2537,10 +3072,6 @@
     <message>
         <source>Paint ground</source>
         <translation>Malovat povrch</translation>
-    </message>
-    <message>
-        <source>Ground types</source>
-        <translation>Typy povrchu</translation>
     </message>
     <message>
         <source>Set camera from view</source>
@@ -2799,6 +3330,18 @@
     <message>
         <source>Camera view</source>
         <translation>Pohled kamery</translation>
+    </message>
+    <message>
+        <source>Radius %1 m</source>
+        <translation>Poloměr %1 m</translation>
+    </message>
+    <message>
+        <source>Strength %1 %</source>
+        <translation>Síla %1 %</translation>
+    </message>
+    <message>
+        <source>Nothing is painted here</source>
+        <translation>Zde není nic namalováno</translation>
     </message>
 </context>
 </TS>

@@ -1534,6 +1534,70 @@
         <source>Ground type</source>
         <translation>地面类型</translation>
     </message>
+    <message>
+        <source>Blur</source>
+        <translation>模糊</translation>
+    </message>
+    <message>
+        <source>Softens edges; what is not painted stays so.</source>
+        <translation>柔化边缘；未绘制处保持不变。</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>中值</translation>
+    </message>
+    <message>
+        <source>Takes specks away and keeps edges.</source>
+        <translation>去除斑点并保留边缘。</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>扩张</translation>
+    </message>
+    <message>
+        <source>High values and painted areas grow.</source>
+        <translation>高值和已绘制区域扩张。</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>收缩</translation>
+    </message>
+    <message>
+        <source>High values and painted areas shrink.</source>
+        <translation>高值和已绘制区域收缩。</translation>
+    </message>
+    <message>
+        <source>Remove specks</source>
+        <translation>去除斑点</translation>
+    </message>
+    <message>
+        <source>Shrinks, then grows: small areas vanish.</source>
+        <translation>先收缩后扩张：小区域消失。</translation>
+    </message>
+    <message>
+        <source>Fill gaps</source>
+        <translation>填补缝隙</translation>
+    </message>
+    <message>
+        <source>Grows, then shrinks: small gaps close.</source>
+        <translation>先扩张后收缩：小缝隙被填补。</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>阈值</translation>
+    </message>
+    <message>
+        <source>Shares become all or nothing; of other layers what is less is taken away.</source>
+        <translation>比例变为全有或全无；其他图层中较小的值被移除。</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>反转</translation>
+    </message>
+    <message>
+        <source>What was full becomes empty and the other way round.</source>
+        <translation>满变为空，空变为满。</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>
@@ -1598,6 +1662,133 @@
     <message>
         <source>The folder for recovery copies cannot be used: %1</source>
         <translation>无法使用恢复副本文件夹：%1</translation>
+    </message>
+</context>
+<context>
+    <name>spin::BrushBar</name>
+    <message>
+        <source>What the brush paints; a selected painted node takes its place</source>
+        <translation>画笔绘制的对象；选中的绘制节点优先</translation>
+    </message>
+    <message>
+        <source>What the brush paints (Ctrl + click in the view picks it)</source>
+        <translation>画笔绘制的值（在视图中 Ctrl + 单击可拾取）</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>Smooth, also with Shift held</source>
+        <translation>平滑，也可按住 Shift</translation>
+    </message>
+    <message>
+        <source>Erase to not painted</source>
+        <translation>擦除为未绘制</translation>
+    </message>
+    <message>
+        <source>Pick a value, also with Ctrl held</source>
+        <translation>拾取数值，也可按住 Ctrl</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Radius of the brush (F and move the pointer; [ and ]; Ctrl + wheel)</source>
+        <translation>画笔半径（F 并移动指针；[ 和 ]；Ctrl + 滚轮）</translation>
+    </message>
+    <message>
+        <source>Strength </source>
+        <translation>强度 </translation>
+    </message>
+    <message>
+        <source>How far a stroke goes towards the value (Shift+F and move the pointer)</source>
+        <translation>一笔向目标值靠近的程度（Shift+F 并移动指针）</translation>
+    </message>
+    <message>
+        <source>Hardness </source>
+        <translation>硬度 </translation>
+    </message>
+    <message>
+        <source>Share of the radius that has the full strength: the inner ring</source>
+        <translation>具有全部强度的半径份额：内圈</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Pen</source>
+        <translation>笔</translation>
+    </message>
+    <message>
+        <source>What the pressure of a pen changes</source>
+        <translation>笔的压力改变什么</translation>
+    </message>
+    <message>
+        <source>Pressure changes the strength</source>
+        <translation>压力改变强度</translation>
+    </message>
+    <message>
+        <source>A light touch paints little</source>
+        <translation>轻触时着色较弱</translation>
+    </message>
+    <message>
+        <source>Pressure changes the radius</source>
+        <translation>压力改变半径</translation>
+    </message>
+    <message>
+        <source>A light touch paints narrow</source>
+        <translation>轻触时笔触较窄</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>图层</translation>
+    </message>
+    <message>
+        <source>What is done to the whole layer: fill, filters, files</source>
+        <translation>对整个图层的操作：填充、滤镜、文件</translation>
+    </message>
+    <message>
+        <source>&amp;Fill...</source>
+        <translation>填充(&amp;F)...</translation>
+    </message>
+    <message>
+        <source>Fill by altitude, slope and aspect</source>
+        <translation>按海拔、坡度和坡向填充</translation>
+    </message>
+    <message>
+        <source>F&amp;ilter...</source>
+        <translation>滤镜(&amp;I)...</translation>
+    </message>
+    <message>
+        <source>Blur, grow, shrink and more</source>
+        <translation>模糊、扩张、收缩等</translation>
+    </message>
+    <message>
+        <source>&amp;Clear</source>
+        <translation>清除(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Take away all that is painted</source>
+        <translation>移除所有绘制内容</translation>
+    </message>
+    <message>
+        <source>I&amp;mport...</source>
+        <translation>导入(&amp;M)...</translation>
+    </message>
+    <message>
+        <source>Take the layer from a picture or a GeoTIFF</source>
+        <translation>从图像或 GeoTIFF 获取图层</translation>
+    </message>
+    <message>
+        <source>&amp;Export...</source>
+        <translation>导出(&amp;E)...</translation>
+    </message>
+    <message>
+        <source>Write the layer as a picture or a GeoTIFF</source>
+        <translation>将图层写为图像或 GeoTIFF</translation>
     </message>
 </context>
 <context>
@@ -1773,6 +1964,200 @@
     <message>
         <source>Save as...</source>
         <translation>另存为...</translation>
+    </message>
+</context>
+<context>
+    <name>spin::FillDialog</name>
+    <message>
+        <source>Fill: %1</source>
+        <translation>填充：%1</translation>
+    </message>
+    <message>
+        <source>What the layer is filled with</source>
+        <translation>填充图层的值</translation>
+    </message>
+    <message>
+        <source>How the value joins what is painted there</source>
+        <translation>该值与已绘制内容的组合方式</translation>
+    </message>
+    <message>
+        <source>Replaces what is there</source>
+        <translation>替换已有内容</translation>
+    </message>
+    <message>
+        <source>The larger of both</source>
+        <translation>取较大者</translation>
+    </message>
+    <message>
+        <source>Is added</source>
+        <translation>相加</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Combine</source>
+        <translation>组合方式</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>海拔</translation>
+    </message>
+    <message>
+        <source>Height above sea</source>
+        <translation>海拔高度</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>坡度</translation>
+    </message>
+    <message>
+        <source>Steepness from level ground</source>
+        <translation>相对水平面的陡度</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Aspect</source>
+        <translation>坡向</translation>
+    </message>
+    <message>
+        <source>The way the ground faces, clockwise: 0 north, 90 east</source>
+        <translation>地面朝向，顺时针：0 为北，90 为东</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>填充</translation>
+    </message>
+    <message>
+        <source>Fill as the view shows it; one undo step</source>
+        <translation>按视图所示填充；一步撤销</translation>
+    </message>
+    <message>
+        <source>Where the range begins</source>
+        <translation>范围的起点</translation>
+    </message>
+    <message>
+        <source>Where the range ends</source>
+        <translation>范围的终点</translation>
+    </message>
+    <message>
+        <source>Width of the soft edge on either side</source>
+        <translation>两侧柔和边缘的宽度</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>至</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>柔和边缘</translation>
+    </message>
+    <message>
+        <source>A quarter of the horizon by name</source>
+        <translation>按名称选择四分之一方位</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>北</translation>
+    </message>
+    <message>
+        <source>North-east</source>
+        <translation>东北</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>东</translation>
+    </message>
+    <message>
+        <source>South-east</source>
+        <translation>东南</translation>
+    </message>
+    <message>
+        <source>South</source>
+        <translation>南</translation>
+    </message>
+    <message>
+        <source>South-west</source>
+        <translation>西南</translation>
+    </message>
+    <message>
+        <source>West</source>
+        <translation>西</translation>
+    </message>
+    <message>
+        <source>North-west</source>
+        <translation>西北</translation>
+    </message>
+    <message>
+        <source>Own range</source>
+        <translation>自定义范围</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>朝向</translation>
+    </message>
+    <message>
+        <source>Fills %1 % of the terrain, %2.</source>
+        <translation>填充地形的 %1 %，%2。</translation>
+    </message>
+    <message>
+        <source>%1 km²</source>
+        <translation>%1 km²</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+</context>
+<context>
+    <name>spin::FilterDialog</name>
+    <message>
+        <source>Filter: %1</source>
+        <translation>滤镜：%1</translation>
+    </message>
+    <message>
+        <source>What the filter does</source>
+        <translation>滤镜的作用</translation>
+    </message>
+    <message>
+        <source>How far the filter reaches</source>
+        <translation>滤镜的作用范围</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>What is less is taken away</source>
+        <translation>小于此值的被移除</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>滤镜</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>阈值</translation>
+    </message>
+    <message>
+        <source>Filter as the view shows it; one undo step</source>
+        <translation>按视图所示应用滤镜；一步撤销</translation>
     </message>
 </context>
 <context>
@@ -1954,6 +2339,148 @@
     <message>
         <source>No issues</source>
         <translation>没有问题</translation>
+    </message>
+</context>
+<context>
+    <name>spin::LayerFileDialog</name>
+    <message>
+        <source>Export: %1</source>
+        <translation>导出：%1</translation>
+    </message>
+    <message>
+        <source>Import: %1</source>
+        <translation>导入：%1</translation>
+    </message>
+    <message>
+        <source>GeoTIFF keeps the values and where nothing is painted; a PNG is a grey picture</source>
+        <translation>GeoTIFF 保留数值和未绘制处；PNG 为灰度图像</translation>
+    </message>
+    <message>
+        <source>GeoTIFF</source>
+        <translation>GeoTIFF</translation>
+    </message>
+    <message>
+        <source>PNG, 8 bit</source>
+        <translation>PNG，8 位</translation>
+    </message>
+    <message>
+        <source>PNG, 16 bit</source>
+        <translation>PNG，16 位</translation>
+    </message>
+    <message>
+        <source>What black stands for</source>
+        <translation>黑色代表的值</translation>
+    </message>
+    <message>
+        <source>What white stands for</source>
+        <translation>白色代表的值</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>黑色</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>白色</translation>
+    </message>
+    <message>
+        <source>Choose file...</source>
+        <translation>选择文件...</translation>
+    </message>
+    <message>
+        <source>Choose where to write</source>
+        <translation>选择写入位置</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>Take the file as the view shows it; one undo step</source>
+        <translation>按视图所示采用文件；一步撤销</translation>
+    </message>
+    <message>
+        <source>What is not painted becomes black.</source>
+        <translation>未绘制处变为黑色。</translation>
+    </message>
+    <message>
+        <source>%1 x %2 cells</source>
+        <translation>%1 x %2 格</translation>
+    </message>
+    <message>
+        <source>real numbers</source>
+        <translation>实数</translation>
+    </message>
+    <message>
+        <source>%1 bit</source>
+        <translation>%1 位</translation>
+    </message>
+    <message>
+        <source>with its place in the world</source>
+        <translation>带有地理位置</translation>
+    </message>
+    <message>
+        <source>laid over the whole terrain</source>
+        <translation>铺满整个地形</translation>
+    </message>
+</context>
+<context>
+    <name>spin::LayerTools</name>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>The painted layers are still being read.</source>
+        <translation>绘制的图层仍在读取。</translation>
+    </message>
+    <message>
+        <source>There is no terrain to paint on: import one first.</source>
+        <translation>没有可绘制的地形：请先导入。</translation>
+    </message>
+    <message>
+        <source>Fill %1</source>
+        <translation>填充%1</translation>
+    </message>
+    <message>
+        <source>Filters work on temperature, depth and keep-clear layers; for ground types there is the smoothing brush.</source>
+        <translation>滤镜用于温度、雪深和保持无雪图层；地面类型请使用平滑画笔。</translation>
+    </message>
+    <message>
+        <source>No plugin with filters is installed.</source>
+        <translation>未安装带滤镜的插件。</translation>
+    </message>
+    <message>
+        <source>Filter %1</source>
+        <translation>滤镜处理%1</translation>
+    </message>
+    <message>
+        <source>Import a layer</source>
+        <translation>导入图层</translation>
+    </message>
+    <message>
+        <source>Rasters (*.png *.tif *.tiff *.asc *.xyz)</source>
+        <translation>栅格 (*.png *.tif *.tiff *.asc *.xyz)</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>导入%1</translation>
+    </message>
+    <message>
+        <source>Export a layer</source>
+        <translation>导出图层</translation>
+    </message>
+    <message>
+        <source>Clear %1</source>
+        <translation>清除%1</translation>
+    </message>
+    <message>
+        <source>The last change of a layer is still being worked out.</source>
+        <translation>图层的上一次更改仍在计算。</translation>
     </message>
 </context>
 <context>
@@ -2143,22 +2670,6 @@
         <translation>手柄沿模型自身的坐标轴 (X)</translation>
     </message>
     <message>
-        <source>Ground type that the brush paints</source>
-        <translation>画笔绘制的地面类型</translation>
-    </message>
-    <message>
-        <source>Rub out</source>
-        <translation>擦除</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <translation> 米</translation>
-    </message>
-    <message>
-        <source>Radius of the brush ([ and ], or Ctrl + wheel)</source>
-        <translation>画笔半径（[ 和 ]，或 Ctrl + 滚轮）</translation>
-    </message>
-    <message>
         <source>Smaller brush</source>
         <translation>缩小画笔</translation>
     </message>
@@ -2291,20 +2802,8 @@
         <translation>丢弃所有已模拟的帧并重新开始</translation>
     </message>
     <message>
-        <source>Paint ground types, or the area of the selected release</source>
-        <translation>绘制地面类型，或所选释放区的面积</translation>
-    </message>
-    <message>
         <source>Draw the outline of a release</source>
         <translation>绘制释放区轮廓</translation>
-    </message>
-    <message>
-        <source>What the brush does to the area of the selected release</source>
-        <translation>画笔对所选释放区面积的作用</translation>
-    </message>
-    <message>
-        <source>Release here</source>
-        <translation>在此释放</translation>
     </message>
     <message>
         <source>Shift while dragging a handle of flow</source>
@@ -2329,6 +2828,42 @@
     <message>
         <source>Take the corner out</source>
         <translation>移除角点</translation>
+    </message>
+    <message>
+        <source>&amp;Painted layer</source>
+        <translation>绘制图层(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Painted snow &amp;depth</source>
+        <translation>绘制的雪深(&amp;D)</translation>
+    </message>
+    <message>
+        <source>What is &amp;kept clear</source>
+        <translation>保持无雪的区域(&amp;K)</translation>
+    </message>
+    <message>
+        <source>The &amp;painted layer while painting</source>
+        <translation>绘制时显示绘制图层(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Paint ground types, temperature, snow depth, what is kept clear, or the selected release</source>
+        <translation>绘制地面类型、温度、雪深、保持无雪的区域，或所选的释放区</translation>
+    </message>
+    <message>
+        <source>F, Shift + F with the brush</source>
+        <translation>使用画笔时 F、Shift + F</translation>
+    </message>
+    <message>
+        <source>Radius and strength by moving the pointer</source>
+        <translation>移动指针调整半径和强度</translation>
+    </message>
+    <message>
+        <source>Shift, Ctrl with the brush</source>
+        <translation>使用画笔时 Shift、Ctrl</translation>
+    </message>
+    <message>
+        <source>Smooth; pick the value under the pointer</source>
+        <translation>平滑；拾取指针下的数值</translation>
     </message>
 </context>
 <context>
@@ -2531,10 +3066,6 @@
     <message>
         <source>Paint ground</source>
         <translation>绘制地面</translation>
-    </message>
-    <message>
-        <source>Ground types</source>
-        <translation>地面类型</translation>
     </message>
     <message>
         <source>Set camera from view</source>
@@ -2791,6 +3322,18 @@
     <message>
         <source>Camera view</source>
         <translation>摄像机视图</translation>
+    </message>
+    <message>
+        <source>Radius %1 m</source>
+        <translation>半径 %1 m</translation>
+    </message>
+    <message>
+        <source>Strength %1 %</source>
+        <translation>强度 %1 %</translation>
+    </message>
+    <message>
+        <source>Nothing is painted here</source>
+        <translation>此处未绘制</translation>
     </message>
 </context>
 </TS>
