@@ -153,7 +153,7 @@ class BrushStrokeTest : public QObject {
     QVERIFY(near(at(200.0), 1.5));
     QVERIFY(near(at(208.0), 1.5));
     QVERIFY(near(at(226.0), 1.0 + 0.5 * soft.tip.weight(26.0)));
-    QVERIFY(at(236.0) < at(226.0) && at(236.0) > 1.0);
+    QVERIFY(at(236.0) < at(226.0) && at(236.0) > 1.0f);
     QVERIFY(std::isnan(at(242.0)));
   }
 
