@@ -623,16 +623,8 @@
         <translation>Kvádr vloček</translation>
     </message>
     <message>
-        <source>Edge of the box round the camera in which flakes are drawn.</source>
-        <translation>Hrana krychle kolem kamery, v níž se vločky kreslí.</translation>
-    </message>
-    <message>
         <source>Flakes drawn</source>
         <translation>Kreslené vločky</translation>
-    </message>
-    <message>
-        <source>Number of flakes in the box; each stands for as many real ones as the precipitation asks for.</source>
-        <translation>Počet vloček v krychli; každá zastupuje tolik skutečných, kolik žádají srážky.</translation>
     </message>
     <message>
         <source>Weather</source>
@@ -1598,6 +1590,226 @@
         <source>What was full becomes empty and the other way round.</source>
         <translation>Co bylo plné, bude prázdné a naopak.</translation>
     </message>
+    <message>
+        <source>Free cluster</source>
+        <translation>Volný shluk</translation>
+    </message>
+    <message>
+        <source>Six arms</source>
+        <translation>Šest ramen</translation>
+    </message>
+    <message>
+        <source>Eight arms</source>
+        <translation>Osm ramen</translation>
+    </message>
+    <message>
+        <source>Crystal</source>
+        <translation>Krystal</translation>
+    </message>
+    <message>
+        <source>Fern-like star</source>
+        <translation>Hvězda podobná kapradí</translation>
+    </message>
+    <message>
+        <source>Plain star</source>
+        <translation>Prostá hvězda</translation>
+    </message>
+    <message>
+        <source>Star with broad branches</source>
+        <translation>Hvězda se širokými větvemi</translation>
+    </message>
+    <message>
+        <source>Plate with corners</source>
+        <translation>Destička s rohy</translation>
+    </message>
+    <message>
+        <source>32 pixels</source>
+        <translation>32 pixelů</translation>
+    </message>
+    <message>
+        <source>64 pixels</source>
+        <translation>64 pixelů</translation>
+    </message>
+    <message>
+        <source>128 pixels</source>
+        <translation>128 pixelů</translation>
+    </message>
+    <message>
+        <source>256 pixels</source>
+        <translation>256 pixelů</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Růst</translation>
+    </message>
+    <message>
+        <source>Free cluster, six and eight arms grow by diffusion-limited aggregation, crystals by a lattice automaton.</source>
+        <translation>Volný shluk, šest a osm ramen rostou difuzně omezenou agregací, krystaly mřížkovým automatem.</translation>
+    </message>
+    <message>
+        <source>Shapes</source>
+        <translation>Tvary</translation>
+    </message>
+    <message>
+        <source>Number of different flakes that are grown.</source>
+        <translation>Počet různých vloček, které vyrostou.</translation>
+    </message>
+    <message>
+        <source>Another number grows other flakes of the same kind.</source>
+        <translation>Jiné číslo dá vyrůst jiným vločkám téhož druhu.</translation>
+    </message>
+    <message>
+        <source>Smallest radius</source>
+        <translation>Nejmenší poloměr</translation>
+    </message>
+    <message>
+        <source>Radius to which the smallest flake grows.</source>
+        <translation>Poloměr, do něhož doroste nejmenší vločka.</translation>
+    </message>
+    <message>
+        <source>Largest radius</source>
+        <translation>Největší poloměr</translation>
+    </message>
+    <message>
+        <source>Radius to which the largest flake grows.</source>
+        <translation>Poloměr, do něhož doroste největší vločka.</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Podrobnost</translation>
+    </message>
+    <message>
+        <source>Size of a flake&apos;s pictures; close-ups want fine ones.</source>
+        <translation>Velikost obrázků vločky; záběry zblízka potřebují jemné.</translation>
+    </message>
+    <message>
+        <source>Particle</source>
+        <translation>Částice</translation>
+    </message>
+    <message>
+        <source>Diameter of the particles that aggregate; the finer, the more branches. Not for crystals.</source>
+        <translation>Průměr částic, které se shlukují; čím jemnější, tím více větví. Ne pro krystaly.</translation>
+    </message>
+    <message>
+        <source>Most particles</source>
+        <translation>Nejvíce částic</translation>
+    </message>
+    <message>
+        <source>A flake that has as many stops growing. Not for crystals.</source>
+        <translation>Vločka, která jich má tolik, přestane růst. Ne pro krystaly.</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Zarovnání</translation>
+    </message>
+    <message>
+        <source>How far particles turn to the crystal&apos;s own directions: 0 gives corals, 1 branches at 60 degrees. For six and eight arms.</source>
+        <translation>Jak dalece se částice natáčejí do vlastních směrů krystalu: 0 dává korály, 1 větve po 60 stupních. Pro šest a osm ramen.</translation>
+    </message>
+    <message>
+        <source>Landings</source>
+        <translation>Dopady</translation>
+    </message>
+    <message>
+        <source>Particles that must land at a place before one stays: more give straighter arms. For six and eight arms.</source>
+        <translation>Kolik částic musí na místo dopadnout, než jedna zůstane: více jich dává rovnější ramena. Pro šest a osm ramen.</translation>
+    </message>
+    <message>
+        <source>Form of crystals</source>
+        <translation>Tvar krystalů</translation>
+    </message>
+    <message>
+        <source>Habit of the crystals that the automaton grows.</source>
+        <translation>Habitus krystalů, které automat pěstuje.</translation>
+    </message>
+    <message>
+        <source>Cells of crystals</source>
+        <translation>Buňky krystalů</translation>
+    </message>
+    <message>
+        <source>Lattice cells from the middle to the tips: more give finer branches, and take longer.</source>
+        <translation>Buňky mřížky od středu ke špičkám: více jich dává jemnější větve a trvá déle.</translation>
+    </message>
+    <message>
+        <source>Variety of crystals</source>
+        <translation>Rozmanitost krystalů</translation>
+    </message>
+    <message>
+        <source>How much the air changes while a crystal grows; it makes each one its own.</source>
+        <translation>Jak moc se mění vzduch, zatímco krystal roste; díky tomu je každý svůj.</translation>
+    </message>
+    <message>
+        <source>Flake shapes</source>
+        <translation>Tvary vloček</translation>
+    </message>
+    <message>
+        <source>Shapes of the falling flakes: what grows is what falls.</source>
+        <translation>Tvary padajících vloček: co vyroste, to padá.</translation>
+    </message>
+    <message>
+        <source>Drag and flutter</source>
+        <translation>Odpor a třepotání</translation>
+    </message>
+    <message>
+        <source>Decaying sine</source>
+        <translation>Doznívající sinus</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Dráha</translation>
+    </message>
+    <message>
+        <source>Drag and flutter: flakes follow the wind and swing steadily. Decaying sine: they fall at their terminal speed and swing in bursts that die away, wider and faster in wind.</source>
+        <translation>Odpor a třepotání: vločky se řídí větrem a rovnoměrně se kývají. Doznívající sinus: padají mezní rychlostí a kývají se v návalech, které doznívají, ve větru šířeji a rychleji.</translation>
+    </message>
+    <message>
+        <source>Gustiness</source>
+        <translation>Nárazovitost</translation>
+    </message>
+    <message>
+        <source>Strength of the gusts as a share of the mean wind: 0.1 over water, 0.2 in the open, 0.3 and more among houses and trees.</source>
+        <translation>Síla nárazů jako podíl středního větru: 0,1 nad vodou, 0,2 v otevřené krajině, 0,3 a více mezi domy a stromy.</translation>
+    </message>
+    <message>
+        <source>Size of gusts</source>
+        <translation>Velikost nárazů</translation>
+    </message>
+    <message>
+        <source>Wavelength of the largest eddies in the wind.</source>
+        <translation>Vlnová délka největších vírů ve větru.</translation>
+    </message>
+    <message>
+        <source>Edge of the box round the camera in which flakes are drawn; beyond it snow is haze.</source>
+        <translation>Hrana krychle kolem kamery, v níž se kreslí vločky; za ní je sníh oparem.</translation>
+    </message>
+    <message>
+        <source>Distance groups</source>
+        <translation>Skupiny podle vzdálenosti</translation>
+    </message>
+    <message>
+        <source>Shells round the camera: the farther one is, the fewer and larger its flakes, so that each hides as much of what is behind it as the precipitation asks for.</source>
+        <translation>Slupky kolem kamery: čím je vzdálenější, tím má méně a větších vloček, takže každá zakrývá z toho, co je za ní, tolik, kolik srážky žádají.</translation>
+    </message>
+    <message>
+        <source>Number of flakes in the box; each stands for as many real ones as the precipitation asks for. The more, the finer the snow.</source>
+        <translation>Počet vloček v krychli; každá zastupuje tolik skutečných, kolik srážky žádají. Čím více, tím jemnější sníh.</translation>
+    </message>
+    <message>
+        <source>Near size limit</source>
+        <translation>Mez velikosti zblízka</translation>
+    </message>
+    <message>
+        <source>Constant A of the size on screen, h S / sqrt(A + B D + C D^2), C being the lens: keeps near flakes small. 0 is perspective as it is.</source>
+        <translation>Konstanta A velikosti na obrazovce, h S / sqrt(A + B D + C D^2), kde C je objektiv: drží blízké vločky malé. 0 je perspektiva, jaká je.</translation>
+    </message>
+    <message>
+        <source>Size falloff</source>
+        <translation>Úbytek velikosti</translation>
+    </message>
+    <message>
+        <source>Linear term B of the size on screen: flakes shrink faster with the distance D at first. 0 is perspective as it is.</source>
+        <translation>Lineární člen B velikosti na obrazovce: vločky se vzdáleností D zprvu zmenšují rychleji. 0 je perspektiva, jaká je.</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>
@@ -2160,6 +2372,81 @@
     <message>
         <source>Filter as the view shows it; one undo step</source>
         <translation>Filtruje tak, jak ukazuje pohled; jeden krok zpět</translation>
+    </message>
+</context>
+<context>
+    <name>spin::FlakePanel</name>
+    <message>
+        <source>radius %1 mm</source>
+        <translation>poloměr %1 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cell(s) of ice</source>
+        <translation>
+            <numerusform>%n buňka ledu</numerusform>
+            <numerusform>%n buňky ledu</numerusform>
+            <numerusform>%n buněk ledu</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n particle(s)</source>
+        <translation>
+            <numerusform>%n částice</numerusform>
+            <numerusform>%n částice</numerusform>
+            <numerusform>%n částic</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>D = %1</source>
+        <translation>D = %1</translation>
+    </message>
+    <message>
+        <source>Apply flake</source>
+        <translation>Použít vločku</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Zastavit</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Pěstovat</translation>
+    </message>
+    <message>
+        <source>Stop the growth; what has grown stays</source>
+        <translation>Zastavit růst; co vyrostlo, zůstane</translation>
+    </message>
+    <message>
+        <source>Grow a flake with these settings and watch it</source>
+        <translation>Nechat vyrůst vločku s tímto nastavením a pozorovat ji</translation>
+    </message>
+    <message>
+        <source>Another</source>
+        <translation>Další</translation>
+    </message>
+    <message>
+        <source>Grow another flake of the same kind: the next seed</source>
+        <translation>Nechat vyrůst další vločku téhož druhu: příští semínko</translation>
+    </message>
+    <message>
+        <source>Apply to scene</source>
+        <translation>Použít ve scéně</translation>
+    </message>
+    <message>
+        <source>Let the scene&apos;s flakes grow like this one</source>
+        <translation>Ať vločky scény rostou jako tato</translation>
+    </message>
+    <message>
+        <source>The flake as it grows</source>
+        <translation>Vločka, jak roste</translation>
+    </message>
+    <message>
+        <source>Size of the flake and its fractal dimension by the radius of gyration</source>
+        <translation>Velikost vločky a její fraktální rozměr podle poloměru setrvačnosti</translation>
+    </message>
+    <message>
+        <source>Nothing has grown yet</source>
+        <translation>Ještě nic nevyrostlo</translation>
     </message>
 </context>
 <context>
@@ -2944,6 +3231,10 @@
         <source>Stages</source>
         <translation>Fáze</translation>
     </message>
+    <message>
+        <source>Flake</source>
+        <translation>Vločka</translation>
+    </message>
 </context>
 <context>
     <name>spin::OutlinerPanel</name>
@@ -3273,6 +3564,26 @@
     <message>
         <source>What the frames that are not simulated yet will take</source>
         <translation>Co budou stát snímky, které ještě nejsou spočítány</translation>
+    </message>
+    <message>
+        <source>How far one sees through the falling snow: there a dark object keeps 2 % of its contrast</source>
+        <translation>Jak daleko je vidět padajícím sněhem: tmavému předmětu tam zbývají 2 % kontrastu</translation>
+    </message>
+    <message>
+        <source>Growing the shapes of the flakes; a click stops it</source>
+        <translation>Rostou tvary vloček; klepnutí je zastaví</translation>
+    </message>
+    <message>
+        <source>Growing flakes %1 %</source>
+        <translation>Rostou vločky %1 %</translation>
+    </message>
+    <message>
+        <source>Sight %1 km</source>
+        <translation>Dohlednost %1 km</translation>
+    </message>
+    <message>
+        <source>Sight %1 m</source>
+        <translation>Dohlednost %1 m</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,23 @@
     </message>
 </context>
 <context>
+    <name>spin::FlakePanel</name>
+    <message numerus="yes">
+        <source>%n cell(s) of ice</source>
+        <translation>
+            <numerusform>%n cell of ice</numerusform>
+            <numerusform>%n cells of ice</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n particle(s)</source>
+        <translation>
+            <numerusform>%n particle</numerusform>
+            <numerusform>%n particles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>spin::ImportFlow</name>
     <message numerus="yes">
         <source>%n file(s) copied to &quot;%1&quot;. Save the scene to use them from there.</source>

@@ -623,16 +623,8 @@
         <translation>雪花盒</translation>
     </message>
     <message>
-        <source>Edge of the box round the camera in which flakes are drawn.</source>
-        <translation>摄像机周围绘制雪花的立方体边长。</translation>
-    </message>
-    <message>
         <source>Flakes drawn</source>
         <translation>绘制雪花数</translation>
-    </message>
-    <message>
-        <source>Number of flakes in the box; each stands for as many real ones as the precipitation asks for.</source>
-        <translation>盒中雪花的数量；每片代表降水量所要求的若干真实雪花。</translation>
     </message>
     <message>
         <source>Weather</source>
@@ -1598,6 +1590,226 @@
         <source>What was full becomes empty and the other way round.</source>
         <translation>满变为空，空变为满。</translation>
     </message>
+    <message>
+        <source>Free cluster</source>
+        <translation>自由团簇</translation>
+    </message>
+    <message>
+        <source>Six arms</source>
+        <translation>六臂</translation>
+    </message>
+    <message>
+        <source>Eight arms</source>
+        <translation>八臂</translation>
+    </message>
+    <message>
+        <source>Crystal</source>
+        <translation>晶体</translation>
+    </message>
+    <message>
+        <source>Fern-like star</source>
+        <translation>蕨状星形</translation>
+    </message>
+    <message>
+        <source>Plain star</source>
+        <translation>简单星形</translation>
+    </message>
+    <message>
+        <source>Star with broad branches</source>
+        <translation>宽枝星形</translation>
+    </message>
+    <message>
+        <source>Plate with corners</source>
+        <translation>带角板状</translation>
+    </message>
+    <message>
+        <source>32 pixels</source>
+        <translation>32 像素</translation>
+    </message>
+    <message>
+        <source>64 pixels</source>
+        <translation>64 像素</translation>
+    </message>
+    <message>
+        <source>128 pixels</source>
+        <translation>128 像素</translation>
+    </message>
+    <message>
+        <source>256 pixels</source>
+        <translation>256 像素</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>生长方式</translation>
+    </message>
+    <message>
+        <source>Free cluster, six and eight arms grow by diffusion-limited aggregation, crystals by a lattice automaton.</source>
+        <translation>自由团簇、六臂和八臂通过扩散限制聚集生长,晶体由格点自动机生长。</translation>
+    </message>
+    <message>
+        <source>Shapes</source>
+        <translation>形状数</translation>
+    </message>
+    <message>
+        <source>Number of different flakes that are grown.</source>
+        <translation>生长出的不同雪花的数量。</translation>
+    </message>
+    <message>
+        <source>Another number grows other flakes of the same kind.</source>
+        <translation>换一个数会生长出同类的其他雪花。</translation>
+    </message>
+    <message>
+        <source>Smallest radius</source>
+        <translation>最小半径</translation>
+    </message>
+    <message>
+        <source>Radius to which the smallest flake grows.</source>
+        <translation>最小的雪花生长到的半径。</translation>
+    </message>
+    <message>
+        <source>Largest radius</source>
+        <translation>最大半径</translation>
+    </message>
+    <message>
+        <source>Radius to which the largest flake grows.</source>
+        <translation>最大的雪花生长到的半径。</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>细节</translation>
+    </message>
+    <message>
+        <source>Size of a flake&apos;s pictures; close-ups want fine ones.</source>
+        <translation>雪花图像的大小;特写需要精细的图像。</translation>
+    </message>
+    <message>
+        <source>Particle</source>
+        <translation>粒子</translation>
+    </message>
+    <message>
+        <source>Diameter of the particles that aggregate; the finer, the more branches. Not for crystals.</source>
+        <translation>聚集粒子的直径;越细,分枝越多。不适用于晶体。</translation>
+    </message>
+    <message>
+        <source>Most particles</source>
+        <translation>最多粒子数</translation>
+    </message>
+    <message>
+        <source>A flake that has as many stops growing. Not for crystals.</source>
+        <translation>达到这个数量的雪花停止生长。不适用于晶体。</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>对齐</translation>
+    </message>
+    <message>
+        <source>How far particles turn to the crystal&apos;s own directions: 0 gives corals, 1 branches at 60 degrees. For six and eight arms.</source>
+        <translation>粒子转向晶体自身方向的程度:0 得到珊瑚状,1 得到 60 度分枝。适用于六臂和八臂。</translation>
+    </message>
+    <message>
+        <source>Landings</source>
+        <translation>着陆次数</translation>
+    </message>
+    <message>
+        <source>Particles that must land at a place before one stays: more give straighter arms. For six and eight arms.</source>
+        <translation>一处须有多少粒子着陆后才留下一个:越多臂越直。适用于六臂和八臂。</translation>
+    </message>
+    <message>
+        <source>Form of crystals</source>
+        <translation>晶体形态</translation>
+    </message>
+    <message>
+        <source>Habit of the crystals that the automaton grows.</source>
+        <translation>自动机生长的晶体的习性。</translation>
+    </message>
+    <message>
+        <source>Cells of crystals</source>
+        <translation>晶体格数</translation>
+    </message>
+    <message>
+        <source>Lattice cells from the middle to the tips: more give finer branches, and take longer.</source>
+        <translation>从中心到尖端的格数:越多分枝越细,耗时越长。</translation>
+    </message>
+    <message>
+        <source>Variety of crystals</source>
+        <translation>晶体多样性</translation>
+    </message>
+    <message>
+        <source>How much the air changes while a crystal grows; it makes each one its own.</source>
+        <translation>晶体生长期间空气变化的程度;它使每个晶体各不相同。</translation>
+    </message>
+    <message>
+        <source>Flake shapes</source>
+        <translation>雪花形状</translation>
+    </message>
+    <message>
+        <source>Shapes of the falling flakes: what grows is what falls.</source>
+        <translation>飘落雪花的形状:生长出什么就飘落什么。</translation>
+    </message>
+    <message>
+        <source>Drag and flutter</source>
+        <translation>阻力与飘摆</translation>
+    </message>
+    <message>
+        <source>Decaying sine</source>
+        <translation>衰减正弦</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>Drag and flutter: flakes follow the wind and swing steadily. Decaying sine: they fall at their terminal speed and swing in bursts that die away, wider and faster in wind.</source>
+        <translation>阻力与飘摆:雪花随风而行并稳定摆动。衰减正弦:雪花以终端速度下落,成阵摆动并逐渐减弱,有风时摆幅更大更快。</translation>
+    </message>
+    <message>
+        <source>Gustiness</source>
+        <translation>阵风强度</translation>
+    </message>
+    <message>
+        <source>Strength of the gusts as a share of the mean wind: 0.1 over water, 0.2 in the open, 0.3 and more among houses and trees.</source>
+        <translation>阵风强度占平均风的比例:水面 0.1,开阔地 0.2,房屋和树木之间 0.3 以上。</translation>
+    </message>
+    <message>
+        <source>Size of gusts</source>
+        <translation>阵风尺度</translation>
+    </message>
+    <message>
+        <source>Wavelength of the largest eddies in the wind.</source>
+        <translation>风中最大涡旋的波长。</translation>
+    </message>
+    <message>
+        <source>Edge of the box round the camera in which flakes are drawn; beyond it snow is haze.</source>
+        <translation>相机周围绘制雪花的盒子的边长;盒外的雪表现为雾霭。</translation>
+    </message>
+    <message>
+        <source>Distance groups</source>
+        <translation>距离分组</translation>
+    </message>
+    <message>
+        <source>Shells round the camera: the farther one is, the fewer and larger its flakes, so that each hides as much of what is behind it as the precipitation asks for.</source>
+        <translation>相机周围的壳层:越远的雪花越少越大,使每层按降水量遮挡其后的景物。</translation>
+    </message>
+    <message>
+        <source>Number of flakes in the box; each stands for as many real ones as the precipitation asks for. The more, the finer the snow.</source>
+        <translation>盒内雪花的数量;每个代表降水量所需的若干真实雪花。越多,雪越细密。</translation>
+    </message>
+    <message>
+        <source>Near size limit</source>
+        <translation>近处大小限制</translation>
+    </message>
+    <message>
+        <source>Constant A of the size on screen, h S / sqrt(A + B D + C D^2), C being the lens: keeps near flakes small. 0 is perspective as it is.</source>
+        <translation>屏幕大小公式 h S / sqrt(A + B D + C D^2) 中的常数 A(C 取决于镜头):使近处雪花保持较小。0 为原本的透视。</translation>
+    </message>
+    <message>
+        <source>Size falloff</source>
+        <translation>大小衰减</translation>
+    </message>
+    <message>
+        <source>Linear term B of the size on screen: flakes shrink faster with the distance D at first. 0 is perspective as it is.</source>
+        <translation>屏幕大小公式的线性项 B:雪花起初随距离 D 缩小得更快。0 为原本的透视。</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>
@@ -2158,6 +2370,77 @@
     <message>
         <source>Filter as the view shows it; one undo step</source>
         <translation>按视图所示应用滤镜；一步撤销</translation>
+    </message>
+</context>
+<context>
+    <name>spin::FlakePanel</name>
+    <message>
+        <source>radius %1 mm</source>
+        <translation>半径 %1 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cell(s) of ice</source>
+        <translation>
+            <numerusform>%n 个冰格</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n particle(s)</source>
+        <translation>
+            <numerusform>%n 个粒子</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>D = %1</source>
+        <translation>D = %1</translation>
+    </message>
+    <message>
+        <source>Apply flake</source>
+        <translation>应用雪花</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>生长</translation>
+    </message>
+    <message>
+        <source>Stop the growth; what has grown stays</source>
+        <translation>停止生长;已生长的保留</translation>
+    </message>
+    <message>
+        <source>Grow a flake with these settings and watch it</source>
+        <translation>用这些设置生长一片雪花并观看</translation>
+    </message>
+    <message>
+        <source>Another</source>
+        <translation>另一片</translation>
+    </message>
+    <message>
+        <source>Grow another flake of the same kind: the next seed</source>
+        <translation>生长同类的另一片雪花:下一个种子</translation>
+    </message>
+    <message>
+        <source>Apply to scene</source>
+        <translation>应用到场景</translation>
+    </message>
+    <message>
+        <source>Let the scene&apos;s flakes grow like this one</source>
+        <translation>让场景的雪花像这片一样生长</translation>
+    </message>
+    <message>
+        <source>The flake as it grows</source>
+        <translation>生长中的雪花</translation>
+    </message>
+    <message>
+        <source>Size of the flake and its fractal dimension by the radius of gyration</source>
+        <translation>雪花的大小及其按回转半径的分形维数</translation>
+    </message>
+    <message>
+        <source>Nothing has grown yet</source>
+        <translation>尚未生长</translation>
     </message>
 </context>
 <context>
@@ -2938,6 +3221,10 @@
         <source>Stages</source>
         <translation>阶段</translation>
     </message>
+    <message>
+        <source>Flake</source>
+        <translation>雪花</translation>
+    </message>
 </context>
 <context>
     <name>spin::OutlinerPanel</name>
@@ -3265,6 +3552,26 @@
     <message>
         <source>What the frames that are not simulated yet will take</source>
         <translation>尚未模拟的帧需要多少资源</translation>
+    </message>
+    <message>
+        <source>How far one sees through the falling snow: there a dark object keeps 2 % of its contrast</source>
+        <translation>透过降雪能看到的距离:那里深色物体保留 2 % 的对比度</translation>
+    </message>
+    <message>
+        <source>Growing the shapes of the flakes; a click stops it</source>
+        <translation>正在生长雪花形状;点击停止</translation>
+    </message>
+    <message>
+        <source>Growing flakes %1 %</source>
+        <translation>正在生长雪花 %1 %</translation>
+    </message>
+    <message>
+        <source>Sight %1 km</source>
+        <translation>能见度 %1 km</translation>
+    </message>
+    <message>
+        <source>Sight %1 m</source>
+        <translation>能见度 %1 m</translation>
     </message>
 </context>
 <context>

@@ -46,6 +46,7 @@ BenchCase conductionStepCase();
 BenchCase degreeDayCase();
 BenchCase seasonCase();
 BenchCase snowSpeedCase();
+BenchCase flakeSpeedCase();
 
 const std::vector<BenchCase>& builtInBenchCases() {
   static const std::vector<BenchCase> cases = {
@@ -67,6 +68,7 @@ const std::vector<BenchCase>& builtInBenchCases() {
       degreeDayCase(),
       seasonCase(),
       snowSpeedCase(),
+      flakeSpeedCase(),
       sphSpeedCase(),
       hydrostaticCase(),
       poiseuilleCase(),

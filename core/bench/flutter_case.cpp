@@ -12,6 +12,7 @@
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/weather_nodes.h"
 #include "core/physics/flutter.h"
+#include "core/snow/flake_field.h"
 
 namespace spin {
 namespace {
@@ -101,47 +102,60 @@ SceneSnapshot stillAir(double amplitude, int flakes) {
   SnowfallNode snowfall;
   snowfall.flutterAmplitude = amplitude;
   snowfall.flakeCount = flakes;
+  snowfall.groups = 1;
   SceneSnapshot scene;
   scene.nodes = {nodeOf(kWeatherType, weather), nodeOf(kSnowfallType, snowfall),
                  nodeOf(kSimulationType, SimulationNode{})};
   return scene;
 }
 
-const ParticleSet& flakesOf(const Frame& frame) {
-  const auto* part = frame.part<ParticlePart>("flakes");
-  SPIN_CHECK(part, "the frame has no flakes");
-  return part->particles;
-}
+/// All flakes of a scene, frame by frame, as its pictures have them.
+class Eye {
+ public:
+  explicit Eye(const SnowfallNode& snowfall) : m_snowfall(snowfall) {}
+  void look(const Frame& frame) {
+    const auto* part = frame.part<FlakesPart>("flakes");
+    SPIN_CHECK(part, "the frame has no flakes");
+    const auto groups = flakeGroups(m_snowfall, part->flakes.numberDensity);
+    if (!m_field) m_field = std::make_unique<FlakeField>(part->flakes.seed, groups);
+    FlakeView all;
+    all.leastFade = -1.0;
+    CpuBackend backend;
+    m_field->look(part->flakes, groups, all, backend, m_seen);
+  }
+  std::vector<Vec3d> positions() const {
+    std::vector<Vec3d> all;
+    for (std::size_t k = 0; k < m_seen.count; ++k)
+      all.push_back({at(FlakeValue::X, k), at(FlakeValue::Y, k), at(FlakeValue::Z, k)});
+    return all;
+  }
+  std::vector<Vec2d> swings() const {
+    std::vector<Vec2d> all;
+    for (std::size_t k = 0; k < m_seen.count; ++k)
+      all.push_back({at(FlakeValue::VX, k), at(FlakeValue::VY, k)});
+    return all;
+  }
 
-std::vector<Vec3d> positionsOf(const ParticleSet& flakes) {
-  std::vector<Vec3d> positions;
-  for (const Vec3f& p : flakes.positions) positions.push_back(p.to<double>());
-  return positions;
-}
-
-std::vector<Vec2d> swingsOf(const ParticleSet& flakes) {
-  const ParticleAttribute* velocity = flakes.find("velocity");
-  SPIN_CHECK(velocity, "the flakes have no velocity");
-  const std::vector<float>& v = velocity->values;
-  std::vector<Vec2d> swings;
-  for (std::size_t k = 0; k < v.size(); k += 3)
-    swings.push_back({static_cast<double>(v[k]), static_cast<double>(v[k + 1])});
-  return swings;
-}
+ private:
+  double at(FlakeValue value, std::size_t k) const { return static_cast<double>(m_seen[value][k]); }
+  SnowfallNode m_snowfall;
+  std::unique_ptr<FlakeField> m_field;
+  FlakeRecords m_seen;
+};
 
 /// The process as scenes run it.
 Result<Watch> watchProcess(const SceneSnapshot& scene, int frames) {
   SnowRun run(scene, makeBvhRayScene);
   if (const Status status = run.begin(); !status) return status.error();
-  const Frame start = run.frame();
-  const ParticleSet& first = flakesOf(start);
-  Watch watch(first.size());
-  watch.begin(positionsOf(first));
+  const auto snowfall = scene.settings<SnowfallNode>(0.0);
+  Eye eye(snowfall);
+  eye.look(run.frame());
+  Watch watch(eye.positions().size());
+  watch.begin(eye.positions());
   for (int f = 0; f < frames; ++f) {
     if (const Status status = run.step(); !status) return status.error();
-    const Frame frame = run.frame();
-    const ParticleSet& flakes = flakesOf(frame);
-    watch.look(positionsOf(flakes), swingsOf(flakes), flakes.wrapBox);
+    eye.look(run.frame());
+    watch.look(eye.positions(), eye.swings(), snowfall.boxSize);
   }
   return watch;
 }

@@ -9,6 +9,7 @@
 #include "core/bench/snow_run.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/weather_nodes.h"
+#include "core/snow/flake_field.h"
 #include "core/snow/snow_weather.h"
 
 namespace spin {
@@ -40,17 +41,20 @@ struct Drawn {
 };
 
 /// What the flakes of a frame add up to.
-Drawn drawnFrom(const ParticleSet& flakes, const FlakeFallLaw& law) {
+Drawn drawnFrom(const FallingFlakes& flakes, const SnowfallNode& snowfall) {
   Drawn drawn;
-  const ParticleAttribute* mass = flakes.find("mass");
-  const ParticleAttribute* diameter = flakes.find("diameter");
-  const double n = static_cast<double>(flakes.size());
-  const double perVolume = flakes.weight / std::pow(flakes.wrapBox, 3);
-  for (std::size_t k = 0; k < flakes.size(); ++k) {
-    const double m = static_cast<double>(mass->values[k]), x = meltedDiameterOfMass(m);
-    drawn.moments[0] += x / n, drawn.moments[1] += x * x / n, drawn.moments[2] += x * x * x / n;
-    drawn.flux += perVolume * m * law.terminalSpeed(static_cast<double>(diameter->values[k]));
-  }
+  const auto groups = flakeGroups(snowfall, flakes.numberDensity);
+  const FlakeField field(flakes.seed, groups);
+  const double n = static_cast<double>(field.size());
+  std::size_t k = 0;
+  for (const FlakeGroup& group : groups)
+    for (std::uint32_t flake = 0; flake < group.flakes(); ++flake, ++k) {
+      const FlakeClass one = flakeAt(flakes, field.classOf(k));
+      const double x = meltedDiameterOfMass(one.mass);
+      drawn.moments[0] += x / n, drawn.moments[1] += x * x / n, drawn.moments[2] += x * x * x / n;
+      drawn.flux += group.weight / std::pow(group.box, 3) * one.mass * one.fallSpeed /
+                    static_cast<double>(groups.size());
+    }
   return drawn;
 }
 
@@ -71,7 +75,7 @@ Result<BenchRow> measure(FlakeType type, const char* id, double rate, int flakes
   if (const Status status = run.run(2); !status) return status.error();
   const Frame frame = run.frame();
   const SizeSpectrum spectrum = makeSizeSpectrum(fallLaw(type), weather.precipitationRate);
-  const Drawn drawn = drawnFrom(frame.part<ParticlePart>("flakes")->particles, fallLaw(type));
+  const Drawn drawn = drawnFrom(frame.part<FlakesPart>("flakes")->flakes, snowfall);
   // Moments of an exponential law in the published slope: n!/Lambda^n.
   const double lambda = 2290.0 * std::pow(rate, -0.45);
   row.addError("moment_1_error", std::abs(drawn.moments[0] * lambda - 1.0), "1", 0.02);

@@ -109,6 +109,12 @@ double CrystalGrower::thickness(int i, int j) const {
   return frozen(i, j) ? m_ice[static_cast<std::size_t>(indexOf(i, j))] : 0.0;
 }
 
+int CrystalGrower::iceCells() const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < m_share.size(); ++k) sum += m_frozen[k] ? m_share[k] : 0.0;
+  return static_cast<int>(sum);
+}
+
 double CrystalGrower::totalMass() const {
   double sum = 0.0;
   for (std::size_t k = 0; k < m_share.size(); ++k)

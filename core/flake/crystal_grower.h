@@ -59,6 +59,8 @@ class CrystalGrower {
   bool frozen(int i, int j) const;
   /// Crystal mass of a cell, about its thickness; 0 outside the ice.
   double thickness(int i, int j) const;
+  /// Cells of ice in all sectors.
+  int iceCells() const;
   /// Mass of ice, boundary and vapour in all sectors.
   double totalMass() const;
 

@@ -8,28 +8,15 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "core/flake/flake_grower.h"
 
 namespace spin {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x414c4653, kVersion = 1;  // "SFLA"
 constexpr int kSamples = 4;                                 // of a frame's pixel, per axis
-constexpr int kAttempts = 16;
-constexpr std::size_t kSlice = 256;  // particles between two looks at progress
 
 Error refuse(const char* where, const std::string& why) {
   return badInput("The flake atlas cannot be made", where, why);
-}
-
-Status checkAtlas(int size, std::size_t flakes) {
-  const bool powerOfTwo = size > 0 && (size & (size - 1)) == 0;
-  if (!powerOfTwo || size < kSmallestAtlas || size > kLargestAtlas)
-    return refuse("size", fmt::format("{} is not a power of two between {} and {}", size, kSmallestAtlas,
-                                      kLargestAtlas));
-  if (flakes < 1 || flakes > static_cast<std::size_t>(kMostFlakes))
-    return refuse("flakes", fmt::format("{} are not between 1 and {}", flakes, kMostFlakes));
-  return {};
 }
 
 bool isNewSnow(double radius) {
@@ -102,7 +89,21 @@ Error cancelled() {
   return Error{ErrorKind::Cancelled, "The flake atlas was not made", "flakes", "it was cancelled", ""};
 }
 
+Status checkAtlas(int size, std::size_t flakes) {
+  if (Status status = checkAtlasSize(size); !status) return status;
+  if (flakes < 1 || flakes > static_cast<std::size_t>(kMostFlakes))
+    return refuse("flakes", fmt::format("{} are not between 1 and {}", flakes, kMostFlakes));
+  return {};
+}
+
 }  // namespace
+
+Status checkAtlasSize(int size) {
+  const bool powerOfTwo = size > 0 && (size & (size - 1)) == 0;
+  if (powerOfTwo && size >= kSmallestAtlas && size <= kLargestAtlas) return {};
+  return refuse(
+      "size", fmt::format("{} is not a power of two between {} and {}", size, kSmallestAtlas, kLargestAtlas));
+}
 
 FlakeRotation flakeRotation(int frame) {
   const double turn = 2.0 * kPi * frame / kFlakeFrames;
@@ -135,51 +136,6 @@ Result<FlakeAtlas> makeFlakeAtlas(const std::vector<FlakePicture>& pictures, con
   }
   addMipLevels(atlas);
   return atlas;
-}
-
-Result<GrownFlake> growFlake(FlakeSettings settings, double smallest, double largest,
-                             const CancelToken& cancel) {
-  const std::uint64_t seed = settings.seed;
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    settings.seed = seed + 0x9e3779b97f4a7c15ull * static_cast<std::uint64_t>(attempt);
-    if (Status status = checkFlakeSettings(settings); !status) return status.error();
-    FlakeGrower grower(settings);
-    while (!grower.done())
-      if (Status status = grower.grow(kSlice, cancel); !status) return status.error();
-    if (grower.radius() >= smallest && grower.radius() <= largest)
-      return GrownFlake{grower.centres(), grower.radius()};
-  }
-  return badInput(
-      "The flake cannot be grown", "radius",
-      fmt::format("none of {} flakes came to between {:g} and {:g} m", kAttempts, smallest, largest),
-      "Allow more particles or a wider range");
-}
-
-Result<FlakeAtlas> growFlakeAtlas(const FlakeAtlasSettings& settings, const CancelToken& cancel,
-                                  const std::function<void(double)>& progress) {
-  if (Status status = checkAtlas(settings.size, static_cast<std::size_t>(std::max(settings.flakes, 0)));
-      !status)
-    return status.error();
-  if (!isNewSnow(settings.smallest) || !isNewSnow(settings.largest) || settings.smallest > settings.largest)
-    return refuse("radius",
-                  fmt::format("{:g} to {:g} m is no range of new snow", settings.smallest, settings.largest));
-  std::vector<FlakePicture> pictures;
-  std::vector<double> radii;
-  for (int f = 0; f < settings.flakes; ++f) {
-    if (progress) progress(static_cast<double>(f) / settings.flakes);
-    FlakeSettings flake = settings.flake;
-    flake.seed = settings.seed * 0x100000001b3ull + static_cast<std::uint64_t>(f);
-    const double share = (f + 0.5) / settings.flakes;
-    flake.radius = settings.smallest * std::pow(settings.largest / settings.smallest, share);
-    auto grown = growFlake(flake, settings.smallest, settings.largest, cancel);
-    if (!grown) return grown.error();
-    auto picture = drawFlake(grown->centres, pictureSizeFor(settings.size));
-    if (!picture) return picture.error();
-    pictures.push_back(std::move(*picture));
-    radii.push_back(grown->radius);
-  }
-  if (progress) progress(1.0);
-  return makeFlakeAtlas(pictures, radii, settings.size, cancel);
 }
 
 void saveFlakeAtlas(const FlakeAtlas& atlas, ByteWriter& out) {

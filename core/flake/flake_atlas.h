@@ -5,8 +5,10 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "core/base/hash.h"
 #include "core/flake/flake_picture.h"
 #include "core/flake/flake_settings.h"
 #include "core/sim/serialize.h"
@@ -41,6 +43,9 @@ struct FlakeAtlas {
 
 inline constexpr int kSmallestAtlas = 8, kLargestAtlas = 512, kMostFlakes = 64;
 
+/// Fails where the frames' size is not a power of two from kSmallestAtlas to kLargestAtlas.
+Status checkAtlasSize(int size);
+
 /// Pixels of the picture that an atlas of this frame size is best made from.
 inline int pictureSizeFor(int atlasSize) {
   return std::min(4 * atlasSize, kLargestPicture);
@@ -55,6 +60,7 @@ Result<FlakeAtlas> makeFlakeAtlas(const std::vector<FlakePicture>& pictures, con
 /// What an atlas is grown from: flakes of one kind, their radii spread evenly over the logarithms.
 struct FlakeAtlasSettings {
   FlakeSettings flake;                         ///< its radius and seed do not count
+  std::optional<CrystalSettings> crystal;      ///< grown instead, where set; its seed does not count
   double smallest = 0.3e-3, largest = 2.5e-3;  ///< m
   int flakes = 8;
   int size = 64;
@@ -70,9 +76,14 @@ struct GrownFlake {
 Result<GrownFlake> growFlake(FlakeSettings settings, double smallest, double largest,
                              const CancelToken& cancel);
 
-/// Grows, draws and turns all flakes. progress is told 0..1 and may be empty.
+/// Grows, draws and turns all flakes, several at once on up to that many threads (0 = all there are); the
+/// result does not depend on it. progress is told 0..1, from any thread but never two at once, and may be
+/// empty.
 Result<FlakeAtlas> growFlakeAtlas(const FlakeAtlasSettings& settings, const CancelToken& cancel,
-                                  const std::function<void(double)>& progress);
+                                  const std::function<void(double)>& progress, int threads = 0);
+
+/// Key of what these settings grow: of all that counts and of the way of growing.
+Hash128 flakeAtlasKey(const FlakeAtlasSettings& settings);
 
 /// Writes what a scene keeps of an atlas: sizes, radii and the finest level.
 void saveFlakeAtlas(const FlakeAtlas& atlas, ByteWriter& out);

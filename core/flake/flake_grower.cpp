@@ -10,6 +10,8 @@
 namespace spin {
 namespace {
 
+constexpr double kArmsOwn = 3.0;    // from the axis and its tip, where nothing but the arm grows along it
+constexpr double kTipShare = 0.88;  // of the landings that the tip needs
 constexpr double kLaunchGap = 1.5;  // launching circle beyond the outermost centre; 1 would touch it
 constexpr double kHalfRootTwo = 0.70710678118654752, kHalfRootThree = 0.86602540378443865;
 constexpr Vec2d kWallSix{kHalfRootThree, 0.5};                         // 30 degrees
@@ -161,13 +163,17 @@ void FlakeGrower::fold(Landing& landing) const {
 }
 
 /// Ice branches at 60 degrees, so the directions are those of six arms even where there are eight: they are
-/// taken in the sector, from the arm that bounds it.
+/// taken in the sector, from the arm that bounds it. Close to the axis and abreast of its tip nothing grows
+/// along the arm: such a row and its mirror image would starve the tip and outrun it, and the arm would be
+/// split in two with a gap along its middle.
 Vec2d FlakeGrower::aligned(Landing landing) const {
   static const std::array<Vec2d, 8> kDirections = armsOf(6);
   const Vec2d side = landing.p - landing.parent;
-  Vec2d nearest = kDirections[0];
+  const bool besideAxis =
+      landing.parent.y > 0.0 && (landing.parent.y < kArmsOwn || landing.parent.x > m_tip - kArmsOwn);
+  Vec2d nearest = kDirections[besideAxis ? 1 : 0];
   for (std::size_t k = 1; k < 6; ++k)
-    if (dot2(side, kDirections[k]) > dot2(side, nearest)) nearest = kDirections[k];
+    if ((k != 3 || !besideAxis) && dot2(side, kDirections[k]) > dot2(side, nearest)) nearest = kDirections[k];
   const Vec2d blend = side * (1.0 - m_settings.alignment) + nearest * m_settings.alignment;
   return landing.parent + blend * (1.0 / size(blend));
 }
@@ -195,12 +201,14 @@ bool FlakeGrower::landedOften(const Place& place) {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(x * 4.0 + 0.37));
   };
   const std::uint64_t where = key(place.p.x) << 32 | key(place.p.y);
-  if (++m_landings[where] < m_settings.landings * (place.onWall ? 1 : 2)) return false;
+  const double share = place.p.y == 0.0 ? kTipShare : place.onWall ? 1.0 : 2.0;
+  if (++m_landings[where] < share * m_settings.landings) return false;
   m_landings.erase(where);
   return true;
 }
 
 void FlakeGrower::addImages(const Place& place) {
+  if (place.p.y == 0.0) m_tip = std::max(m_tip, place.p.x);
   for (std::size_t k = 0; k < static_cast<std::size_t>(m_arms); ++k) add(turned(place.p, m_turns[k]));
   if (m_arms == 1 || place.onWall) return;
   const Vec2d mirrored{place.p.x, -place.p.y};

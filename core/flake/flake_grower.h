@@ -70,6 +70,7 @@ class FlakeGrower {
   Vec2d m_wall{};                  ///< unit vector of the sector's other wall, half an arm's angle on
   ClusterMap m_map;
   double m_reach = 0.0;
+  double m_tip = 0.0;  ///< how far the arms' axes have grown
   std::uint64_t m_walkers = 0;
   std::unordered_map<std::uint64_t, int> m_landings;  ///< by place, see landedOften()
 };

@@ -12,9 +12,10 @@
 namespace spin {
 namespace {
 
-constexpr double kRim = 1.0;       // pixels that stay clear round the flake
-constexpr double kFatness = 1.15;  // of drawn discs
-constexpr double kFinest = 3.0;    // pixels of a disc's diameter on the canvas it is drawn on
+constexpr double kRim = 1.0;        // pixels that stay clear round the flake
+constexpr double kFatness = 1.15;   // of drawn discs
+constexpr double kTouching = 1.06;  // distance of discs that have grown together
+constexpr double kFinest = 3.0;     // pixels of a disc's diameter on the canvas it is drawn on
 constexpr int kLargestCanvas = 4096;
 constexpr int kSamples = 4;         // of a crystal's picture, per pixel and axis
 constexpr double kClearest = 0.45;  // cover of the thinnest ice
@@ -41,10 +42,27 @@ class Canvas {
     for (int y = y0; y <= y1; ++y)
       for (int x = x0; x <= x1; ++x) {
         const double dx = x + 0.5 - centre.x, dy = y + 0.5 - centre.y;
-        const double ink = std::clamp(radius - std::sqrt(dx * dx + dy * dy) + 0.5, 0.0, 1.0);
-        float& pixel =
-            m_ink[static_cast<std::size_t>(y) * static_cast<std::size_t>(n) + static_cast<std::size_t>(x)];
-        pixel = std::max(pixel, static_cast<float>(ink));
+        raise(x, y, radius - std::sqrt(dx * dx + dy * dy) + 0.5);
+      }
+  }
+
+  /// Lays a bar over what is there, from one point to another.
+  void bar(Vec2d from, Vec2d to, double halfWidth) {
+    const int n = m_size * m_factor;
+    const auto low = [&](double a, double b) {
+      return std::max(static_cast<int>(std::min(a, b) - halfWidth - 1.0), 0);
+    };
+    const auto high = [&](double a, double b) {
+      return std::min(static_cast<int>(std::max(a, b) + halfWidth + 1.0), n - 1);
+    };
+    const Vec2d way = to - from;
+    const double squared = way.x * way.x + way.y * way.y;
+    for (int y = low(from.y, to.y); y <= high(from.y, to.y); ++y)
+      for (int x = low(from.x, to.x); x <= high(from.x, to.x); ++x) {
+        const Vec2d d{x + 0.5 - from.x, y + 0.5 - from.y};
+        const double t = std::clamp((d.x * way.x + d.y * way.y) / squared, 0.0, 1.0);
+        const double dx = d.x - t * way.x, dy = d.y - t * way.y;
+        raise(x, y, halfWidth - std::sqrt(dx * dx + dy * dy) + 0.5);
       }
   }
 
@@ -68,9 +86,38 @@ class Canvas {
 
  private:
   static std::size_t square(int n) { return static_cast<std::size_t>(n) * static_cast<std::size_t>(n); }
+  void raise(int x, int y, double ink) {
+    float& pixel = m_ink[static_cast<std::size_t>(y) * static_cast<std::size_t>(m_size * m_factor) +
+                         static_cast<std::size_t>(x)];
+    pixel = std::max(pixel, static_cast<float>(std::clamp(ink, 0.0, 1.0)));
+  }
+
   int m_size, m_factor;
   std::vector<float> m_ink;
 };
+
+/// Calls f(a, b) once for each pair of points that are nearer to each other than `reach`.
+template <class F>
+void forPairs(const std::vector<Vec2d>& points, double reach, const F& f) {
+  using Cell = std::pair<int, int>;
+  const auto cellOf = [&](Vec2d p) {
+    return Cell{static_cast<int>(std::floor(p.y / reach)), static_cast<int>(std::floor(p.x / reach))};
+  };
+  std::vector<std::pair<Cell, std::size_t>> sorted;
+  sorted.reserve(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) sorted.emplace_back(cellOf(points[k]), k);
+  std::sort(sorted.begin(), sorted.end());
+  for (const auto& [cell, a] : sorted)
+    for (int row = cell.first - 1; row <= cell.first + 1; ++row) {
+      auto other = std::lower_bound(sorted.begin(), sorted.end(),
+                                    std::pair(Cell{row, cell.second - 1}, std::size_t{0}));
+      for (; other != sorted.end() && other->first <= Cell{row, cell.second + 1}; ++other) {
+        const std::size_t b = other->second;
+        const Vec2d d = points[b] - points[a];
+        if (a < b && d.x * d.x + d.y * d.y < reach * reach) f(points[a], points[b]);
+      }
+    }
+}
 
 /// Ice of a crystal at a point of the plane, 0 where there is none; unit: the distance of neighbouring cells.
 class CrystalInk {
@@ -115,10 +162,9 @@ double FlakePicture::total() const {
   return sum;
 }
 
-Result<FlakePicture> drawFlake(const std::vector<Vec2d>& centres, int size) {
+Result<FlakePicture> drawFlake(const std::vector<Vec2d>& centres, int size, double reach) {
   if (Status status = checkSize(size); !status) return status.error();
   if (centres.empty()) return badInput("The flake cannot be drawn", "flake", "it has no particles");
-  double reach = 0.0;
   for (const Vec2d& p : centres) reach = std::max(reach, std::sqrt(p.x * p.x + p.y * p.y));
   const double radius = 0.5 * size - kRim, scale = radius / (reach + 0.5 * kFatness);
   int factor = 1;
@@ -128,16 +174,20 @@ Result<FlakePicture> drawFlake(const std::vector<Vec2d>& centres, int size) {
   const double fine = scale * factor, middle = 0.5 * size * factor;
   for (const Vec2d& p : centres)
     canvas.disc({middle + fine * p.x, middle + fine * p.y}, 0.5 * kFatness * fine);
+  forPairs(centres, kTouching, [&](Vec2d a, Vec2d b) {
+    canvas.bar({middle + fine * a.x, middle + fine * a.y}, {middle + fine * b.x, middle + fine * b.y},
+               0.5 * kFatness * fine);
+  });
   return canvas.picture(radius);
 }
 
-Result<FlakePicture> drawCrystal(const CrystalGrower& crystal, int size) {
+Result<FlakePicture> drawCrystal(const CrystalGrower& crystal, int size, int cells) {
   if (Status status = checkSize(size); !status) return status.error();
   const double radius = 0.5 * size - kRim;
   FlakePicture made{size, radius, {}};
   made.cover.reserve(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
   const CrystalInk ink(crystal);
-  const double cell = (crystal.reach() + 0.7) / radius;
+  const double cell = (std::max(crystal.reach(), cells) + 0.7) / radius;
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
       double sum = 0.0;

@@ -25,11 +25,13 @@ struct FlakePicture {
 
 inline constexpr int kSmallestPicture = 8, kLargestPicture = 2048;
 
-/// Draws discs of diameter 1 at the centres, a little fatter so that no gaps show where they touch. Fails
+/// Draws discs of diameter 1 at the centres, a little fatter, and what lies between discs that touch: they
+/// have grown together. Where the flake reaches less than `reach` diameters, that fills the picture. Fails
 /// where there is nothing to draw or the size is outside kSmallestPicture..kLargestPicture.
-Result<FlakePicture> drawFlake(const std::vector<Vec2d>& centres, int size);
-/// Draws a crystal; the thinner the ice, the clearer.
-Result<FlakePicture> drawCrystal(const CrystalGrower& crystal, int size);
+Result<FlakePicture> drawFlake(const std::vector<Vec2d>& centres, int size, double reach = 0.0);
+/// Draws a crystal; the thinner the ice, the clearer. `cells`: reach that fills the picture, at least the
+/// crystal's own.
+Result<FlakePicture> drawCrystal(const CrystalGrower& crystal, int size, int cells = 0);
 
 /// The picture at half the size: means of 2 x 2 pixels, so the total cover per area stays. size must be even.
 FlakePicture halved(const FlakePicture& picture);

@@ -6,6 +6,7 @@
 
 #include "core/nodes/camera_node.h"
 #include "core/nodes/cover_nodes.h"
+#include "core/nodes/flake_node.h"
 #include "core/nodes/flow_nodes.h"
 #include "core/nodes/ground_nodes.h"
 #include "core/nodes/painted_kinds.h"
@@ -17,11 +18,11 @@ namespace spin {
 
 std::span<const NodeType* const> nodeTypes() {
   static constexpr std::array kTypes{
-      &kTerrainType,        &kModelType,          &kGroundTypeLayerType,  &kGroundTemperatureLayerType,
-      &kSnowDepthLayerType, &kKeepClearLayerType, &kWeatherType,          &kSnowfallType,
-      &kSnowCoverType,      &kHeatSourceType,     &kAvalancheReleaseType, &kWaterSourceType,
-      &kFlowSinkType,       &kRigidBodyType,      &kFlowMaterialType,     &kFlowSettingsType,
-      &kCameraType,         &kRenderType,         &kSimulationType};
+      &kTerrainType,        &kModelType,          &kGroundTypeLayerType, &kGroundTemperatureLayerType,
+      &kSnowDepthLayerType, &kKeepClearLayerType, &kWeatherType,         &kSnowfallType,
+      &kFlakeType,          &kSnowCoverType,      &kHeatSourceType,      &kAvalancheReleaseType,
+      &kWaterSourceType,    &kFlowSinkType,       &kRigidBodyType,       &kFlowMaterialType,
+      &kFlowSettingsType,   &kCameraType,         &kRenderType,          &kSimulationType};
   return kTypes;
 }
 

@@ -122,6 +122,11 @@ constexpr Choice kFlakeTypes[] = {
     {"graupel", SPIN_TR("Hexagonal graupel")},
 };
 
+constexpr Choice kFlakePaths[] = {
+    {"drag_and_flutter", SPIN_TR("Drag and flutter")},
+    {"decaying_sine", SPIN_TR("Decaying sine")},
+};
+
 constexpr PropertyRow kSnowfallRows[] = {
     property<&SnowfallNode::type>(
         "type", SPIN_TR("Type of snow"),
@@ -148,6 +153,11 @@ constexpr PropertyRow kSnowfallRows[] = {
         SPIN_TR("Half-angle of the cone of fall directions; softens the edge of shelter."))
         .in(Unit::Degree)
         .range(0, 60, 1),
+    property<&SnowfallNode::path>(
+        "path", SPIN_TR("Path"),
+        SPIN_TR("Drag and flutter: flakes follow the wind and swing steadily. Decaying sine: they fall at "
+                "their terminal speed and swing in bursts that die away, wider and faster in wind."))
+        .oneOf(kFlakePaths),
     property<&SnowfallNode::flutterAmplitude>("flutter_amplitude_m", SPIN_TR("Flutter amplitude"),
                                               SPIN_TR("Sideways swing of a flake about its path."))
         .in(Unit::Metre)
@@ -156,15 +166,48 @@ constexpr PropertyRow kSnowfallRows[] = {
                                          SPIN_TR("Angular rate of the swing, rad/s."))
         .in(Unit::PerSecond)
         .range(0, 50, 0.5),
-    property<&SnowfallNode::boxSize>("box_m", SPIN_TR("Flake box"),
-                                     SPIN_TR("Edge of the box round the camera in which flakes are drawn."))
+    property<&SnowfallNode::gustIntensity>(
+        "gust_intensity", SPIN_TR("Gustiness"),
+        SPIN_TR("Strength of the gusts as a share of the mean wind: 0.1 over water, 0.2 in the open, 0.3 and "
+                "more among houses and trees."))
+        .in(Unit::Factor)
+        .range(0, 1, 0.05)
+        .animated(),
+    property<&SnowfallNode::gustLength>("gust_length_m", SPIN_TR("Size of gusts"),
+                                        SPIN_TR("Wavelength of the largest eddies in the wind."))
         .in(Unit::Metre)
         .range(2, 500, 1),
+    property<&SnowfallNode::boxSize>(
+        "box_m", SPIN_TR("Flake box"),
+        SPIN_TR("Edge of the box round the camera in which flakes are drawn; beyond it snow is haze."))
+        .in(Unit::Metre)
+        .range(2, 500, 1)
+        .affecting(Affects::Picture),
+    property<&SnowfallNode::groups>(
+        "groups", SPIN_TR("Distance groups"),
+        SPIN_TR("Shells round the camera: the farther one is, the fewer and larger its flakes, so that each "
+                "hides as much of what is behind it as the precipitation asks for."))
+        .range(3, 10, 1)
+        .affecting(Affects::Picture),
     property<&SnowfallNode::flakeCount>(
         "flake_count", SPIN_TR("Flakes drawn"),
+        SPIN_TR("Number of flakes in the box; each stands for as many real ones as the precipitation asks "
+                "for. The more, the finer the snow."))
+        .range(0, 2000000, 1000)
+        .affecting(Affects::Picture),
+    property<&SnowfallNode::sizeLawA>(
+        "size_law_a_m2", SPIN_TR("Near size limit"),
+        SPIN_TR("Constant A of the size on screen, h S / sqrt(A + B D + C D^2), C being the lens: keeps near "
+                "flakes small. 0 is perspective as it is."))
+        .range(0, 100, 0.01)
+        .affecting(Affects::Picture),
+    property<&SnowfallNode::sizeLawB>(
+        "size_law_b_m", SPIN_TR("Size falloff"),
         SPIN_TR(
-            "Number of flakes in the box; each stands for as many real ones as the precipitation asks for."))
-        .range(0, 2000000, 1000),
+            "Linear term B of the size on screen: flakes shrink faster with the distance D at first. 0 is "
+            "perspective as it is."))
+        .range(0, 100, 0.01)
+        .affecting(Affects::Picture),
 };
 
 }  // namespace

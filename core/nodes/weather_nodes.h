@@ -44,6 +44,12 @@ Vec3d sunDirection(double azimuthDegrees, double elevationDegrees);
 /// Types of falling snow with measured fall speeds (Locatelli and Hobbs 1974).
 enum class FlakeType : std::uint8_t { UnrimedDendriteAggregate, RimedDendriteAggregate, HexagonalGraupel };
 
+/// How flakes find their way down.
+enum class FlakePath : std::uint8_t {
+  DragAndFlutter,  ///< drag law, with a steady swing about the path
+  DecayingSine,    ///< at terminal speed, with a swing that dies away and begins anew, stronger in wind
+};
+
 /// Falling snow: turns the weather's precipitation into flakes and cover.
 struct SnowfallNode : NodeData {
   FlakeType type = FlakeType::UnrimedDendriteAggregate;
@@ -51,10 +57,16 @@ struct SnowfallNode : NodeData {
   double oldSnowDepth = 0.0;        ///< m, on open level ground at film time 0
   double oldSnowDensity = 250.0;    ///< kg/m3
   double fallSpreadDegrees = 15.0;  ///< half-angle of the cone of fall directions
-  double flutterAmplitude = 0.15;   ///< m
-  double flutterRate = 3.0;         ///< rad/s
-  double boxSize = 48.0;            ///< m, edge of the wrap-round box at the camera
-  int flakeCount = 20000;           ///< drawn flakes in the box
+  FlakePath path = FlakePath::DragAndFlutter;
+  double flutterAmplitude = 0.15;  ///< m
+  double flutterRate = 3.0;        ///< rad/s
+  double gustIntensity = 0.2;      ///< root mean square of each component of the gusts over the mean wind
+  double gustLength = 25.0;        ///< m, wavelength of the largest eddies
+  double boxSize = 48.0;           ///< m, edge of the wrap-round box at the camera
+  int groups = 5;                  ///< of flakes by distance
+  int flakeCount = 150000;         ///< drawn flakes in the box
+  double sizeLawA = 0.0;           ///< constant of the sprites' size law, m2
+  double sizeLawB = 0.0;           ///< its linear term, m
 };
 extern const NodeType kSnowfallType;
 

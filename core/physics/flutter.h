@@ -8,6 +8,7 @@
 #include "core/base/random.h"
 #include "core/base/units.h"
 #include "core/math/vec.h"
+#include "core/physics/turn_sine.h"
 
 namespace spin {
 
@@ -56,6 +57,23 @@ inline Swing swingAt(FlutterLaw law, double angle) {
   const double a = angle - whole * std::floor(angle / whole);
   const double damping = 1.0 / (1.0 + a / (2.0 * kPi));
   return {std::sin(a) * damping, (std::cos(a) - std::sin(a) * damping / (2.0 * kPi)) * damping};
+}
+
+/// The same laws for a number, a pack and CUDA, by the angle in turns; slope per radian.
+template <class V>
+struct TurnSwing {
+  V offset, slope;
+};
+template <class V>
+SPIN_HD_INLINE TurnSwing<V> steadySwing(V turns) {
+  return {turnSine(turns), turnCosine(turns)};
+}
+template <class V>
+SPIN_HD_INLINE TurnSwing<V> decayingSwing(V turns) {
+  const V since = turns - lit<V>(kSwings) * wholeBelow(turns * lit<V>(1.0 / kSwings));
+  const V damping = lit<V>(1.0) / (lit<V>(1.0) + since);
+  const V offset = turnSine(turns) * damping;
+  return {offset, (turnCosine(turns) - offset * lit<V>(0.5 / kPi)) * damping};
 }
 
 /// Offset from the mean path, m, and its rate, m/s, both horizontal, at a film time; amplitude in m, rate in

@@ -16,6 +16,8 @@ UnitInfo unitInfo(Unit unit) {
       return {"", 1.0, 0.0};
     case Unit::Metre:
       return {"m", 1.0, 0.0};
+    case Unit::Millimetre:
+      return {"mm", 1e3, 0.0};
     case Unit::MetrePerSecond:
       return {"m/s", 1.0, 0.0};
     case Unit::Degree:

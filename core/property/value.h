@@ -24,6 +24,7 @@ enum class PropertyKind { Bool, Int, Real, Vector, Colour, Choice, Points, Text,
 enum class Unit {
   None,
   Metre,
+  Millimetre,
   MetrePerSecond,
   Degree,
   Kelvin,

@@ -3,6 +3,7 @@
 #include <mutex>
 
 #include "core/sim/bodies_part.h"
+#include "core/sim/flakes_part.h"
 #include "core/sim/frame.h"
 
 namespace spin {
@@ -18,7 +19,8 @@ struct PartRegistry {
   std::mutex mutex;
   std::map<std::string, Loaders> kinds{{ParticlePart::kKind, {&ParticlePart::load, nullptr}},
                                        {CoverPart::kKind, {&CoverPart::load, &loadCoverShared}},
-                                       {BodiesPart::kKind, {&BodiesPart::load, nullptr}}};
+                                       {BodiesPart::kKind, {&BodiesPart::load, nullptr}},
+                                       {FlakesPart::kKind, {&FlakesPart::load, nullptr}}};
 };
 
 PartRegistry& partRegistry() {

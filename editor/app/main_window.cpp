@@ -14,8 +14,10 @@
 
 #include "core/nodes/camera_node.h"
 #include "core/nodes/settings_nodes.h"
+#include "core/nodes/weather_nodes.h"
 #include "editor/app/export_dialog.h"
 #include "editor/app/file_flow.h"
+#include "editor/app/flake_shapes_maker.h"
 #include "editor/app/flow_defaults.h"
 #include "editor/app/import_flow.h"
 #include "editor/app/import_job.h"
@@ -25,6 +27,7 @@
 #include "editor/app/status_panel.h"
 #include "editor/document/autosave.h"
 #include "editor/document/scene_lock.h"
+#include "editor/panels/flake_panel.h"
 #include "editor/panels/issues_panel.h"
 #include "editor/panels/outliner_panel.h"
 #include "editor/panels/property_panel.h"
@@ -59,6 +62,7 @@ MainWindow::MainWindow(std::shared_ptr<AssetReader> reader, QWidget* parent)
       m_simulation(new SimulationController(m_document, m_time, this)),
       m_timeline(new TimelinePanel(this)),
       m_tools(new SceneTools(m_document, m_time, m_viewport, this)),
+      m_flakes(new FlakeShapesMaker(m_document, this)),
       m_files(new FileFlow(m_document, this)),
       m_imports(new ImportFlow(m_document, reader, this)),
       m_autosave(new Autosave(m_document, {}, 5000, this)),
@@ -75,7 +79,7 @@ MainWindow::MainWindow(std::shared_ptr<AssetReader> reader, QWidget* parent)
   setCentralWidget(m_viewport);
   addDocks();
   m_actions = new MainActions(this);
-  new StatusPanel(statusBar(), m_simulation, m_viewport);
+  new StatusPanel(statusBar(), m_simulation, m_viewport, m_flakes);
   joinTimeline();
   joinViewport();
   connect(m_document, &SceneDocument::pathChanged, this, &MainWindow::showTitle);
@@ -125,10 +129,14 @@ void MainWindow::addDocks() {
   auto* stages = new StagePanel;
   connect(m_simulation, &SimulationController::frameShown, stages, &StagePanel::setFrame);
   QDockWidget* stageDock = dock("stagesDock", tr("Stages"), stages, Qt::RightDockWidgetArea);
+  auto* flakes = new FlakePanel(m_document);
+  connect(flakes, &FlakePanel::editRefused, this, &MainWindow::showMessage);
+  QDockWidget* flakeDock = dock("flakeDock", tr("Flake"), flakes, Qt::RightDockWidgetArea);
   QDockWidget* bottom = dock("timelineDock", tr("Timeline"), m_timeline, Qt::BottomDockWidgetArea);
   splitDockWidget(left, right, Qt::Vertical);
   splitDockWidget(right, issues, Qt::Vertical);
   tabifyDockWidget(issues, stageDock);
+  tabifyDockWidget(stageDock, flakeDock);
   issues->raise();
   resizeDocks({left, right, issues}, {220, 480, 120}, Qt::Vertical);
   resizeDocks({right}, {340}, Qt::Horizontal);
@@ -154,6 +162,7 @@ void MainWindow::joinViewport() {
   connect(m_simulation, &SimulationController::snapshotChanged, m_viewport, &Viewport::setScene);
   connect(m_simulation, &SimulationController::snapshotChanged, this, &MainWindow::firstLook);
   connect(m_simulation, &SimulationController::frameShown, m_viewport, &Viewport::setFrame);
+  connect(m_flakes, &FlakeShapesMaker::ready, m_viewport, &Viewport::setFlakeAtlas);
   connect(m_document, &SceneDocument::selectionChanged, m_viewport, &Viewport::setSelected);
   connect(m_time, &TimeContext::frameChanged, this, [this] { m_viewport->setFilmTime(m_time->filmTime()); });
   m_viewport->setEmptyHint(tr("Drop an elevation model here"),
@@ -261,9 +270,8 @@ void MainWindow::showExportDialog() {
     defaults.allowedFolders << QString::fromStdString(folder);
   if (const SnapshotPointer& snapshot = m_simulation->snapshot(); snapshot && snapshot->terrain)
     defaults.coverCells = static_cast<double>(snapshot->terrain->heights.size());
-  if (const FramePointer frame = m_simulation->shownFrame())
-    if (const auto* flakes = frame->part<ParticlePart>("flakes"))
-      defaults.particlesPerFrame = static_cast<double>(flakes->particles.size());
+  if (scene.firstOf(kSnowfallType))
+    defaults.particlesPerFrame = settingsOf<SnowfallNode>(scene, kSnowfallType).flakeCount;
   auto* dialog = new ExportDialog(exportFormats(*m_plugins), defaults, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &ExportDialog::ended, this, &MainWindow::showMessage);

@@ -15,6 +15,7 @@ namespace spin {
 
 class Autosave;
 class FileFlow;
+class FlakeShapesMaker;
 class ImportFlow;
 class MainActions;
 class PluginHost;
@@ -80,6 +81,7 @@ class MainWindow : public QMainWindow {
   SimulationController* m_simulation;
   TimelinePanel* m_timeline;
   SceneTools* m_tools;
+  FlakeShapesMaker* m_flakes;
   FileFlow* m_files;
   ImportFlow* m_imports;
   Autosave* m_autosave;

@@ -12,6 +12,7 @@
 #include <numeric>
 
 #include "editor/app/export_dialog.h"
+#include "editor/app/flake_shapes_maker.h"
 #include "editor/viewport/viewport.h"
 
 namespace spin {
@@ -62,7 +63,8 @@ QString stageTable(const std::vector<StageTime>& stages) {
   return QStringLiteral("<table>") + rows + QStringLiteral("</table>");
 }
 
-StatusPanel::StatusPanel(QStatusBar* bar, SimulationController* simulation, Viewport* viewport)
+StatusPanel::StatusPanel(QStatusBar* bar, SimulationController* simulation, Viewport* viewport,
+                         FlakeShapesMaker* flakes)
     : QObject(bar), m_simulation(simulation) {
   const auto label = [bar](const char* name, const QString& tip) {
     auto* made = new QLabel;
@@ -72,6 +74,7 @@ StatusPanel::StatusPanel(QStatusBar* bar, SimulationController* simulation, View
     bar->addPermanentWidget(made);
     return made;
   };
+  joinFlakes(bar, flakes);
   m_progress = new QProgressBar;
   m_progress->setObjectName("runProgress");
   m_progress->setMaximumWidth(230);
@@ -86,6 +89,9 @@ StatusPanel::StatusPanel(QStatusBar* bar, SimulationController* simulation, View
   bar->addPermanentWidget(m_stop);
   m_estimate = label("runEstimate", tr("What the frames that are not simulated yet will take"));
   m_stages = label("stageTimes", {});
+  m_visibility =
+      label("visibility", tr("How far one sees through the falling snow: there a dark object keeps "
+                             "2 % of its contrast"));
   m_cache = label("cacheUsage", tr("Simulated frames in memory and on disk"));
   m_drawn = label("drawTime", tr("Time to draw the last picture of the view"));
   m_device = label("device", tr("What simulates: instruction set of the processor, or graphics card"));
@@ -95,6 +101,7 @@ StatusPanel::StatusPanel(QStatusBar* bar, SimulationController* simulation, View
   connect(simulation, &SimulationController::progressed, this, &StatusPanel::showProgress);
   connect(simulation, &SimulationController::statesChanged, this, &StatusPanel::showCache);
   connect(simulation, &SimulationController::estimated, this, &StatusPanel::showEstimate);
+  connect(simulation, &SimulationController::frameShown, this, &StatusPanel::showVisibility);
   connect(simulation, &SimulationController::pausedChanged, this,
           [this] { showState(m_simulation->state()); });
   connect(simulation, &SimulationController::message, bar,
@@ -106,6 +113,22 @@ StatusPanel::StatusPanel(QStatusBar* bar, SimulationController* simulation, View
   m_sinceDrawn.start();
   showState(simulation->state());
   showCache();
+}
+
+void StatusPanel::joinFlakes(QStatusBar* bar, FlakeShapesMaker* flakes) {
+  auto* grow = new QToolButton;
+  grow->setObjectName("growingFlakes");
+  grow->setAutoRaise(true);
+  grow->setToolTip(tr("Growing the shapes of the flakes; a click stops it"));
+  grow->hide();
+  bar->addPermanentWidget(grow);
+  grow->hide();
+  connect(flakes, &FlakeShapesMaker::growingChanged, grow, &QToolButton::setVisible);
+  connect(flakes, &FlakeShapesMaker::progressed, grow,
+          [grow](double share) { grow->setText(tr("Growing flakes %1 %").arg(std::lround(100.0 * share))); });
+  connect(flakes, &FlakeShapesMaker::message, bar,
+          [bar](const QString& text) { bar->showMessage(text, 10000); });
+  connect(grow, &QToolButton::clicked, flakes, &FlakeShapesMaker::cancel);
 }
 
 void StatusPanel::showState(SimulationController::State state) {
@@ -139,6 +162,19 @@ void StatusPanel::showStages(const SimulationProgress& progress) {
 void StatusPanel::showEstimate(const RunEstimate& need) {
   m_estimate->setText(estimateText(need));
   showState(m_simulation->state());
+}
+
+QString visibilityText(double metres) {
+  if (metres >= 10e3) return StatusPanel::tr("Sight %1 km").arg(QLocale().toString(metres / 1e3, 'f', 0));
+  if (metres >= 1e3) return StatusPanel::tr("Sight %1 km").arg(QLocale().toString(metres / 1e3, 'f', 1));
+  return StatusPanel::tr("Sight %1 m").arg(QLocale().toString(10.0 * std::round(metres / 10.0), 'f', 0));
+}
+
+void StatusPanel::showVisibility(const FramePointer& frame) {
+  const auto* figures = frame ? &frame->info.figures : nullptr;
+  const bool snows = figures && figures->count("visibility_m") == 1;
+  m_visibility->setText(snows ? visibilityText(figures->at("visibility_m")) : QString());
+  m_visibility->setVisible(snows);
 }
 
 void StatusPanel::showCache() {

@@ -224,7 +224,7 @@ Result<FramePointer> Job::frameAt(int frame) {
 }
 
 Status Job::exportFrames() {
-  JobExport out(m_opened, m_options, m_report.frames, m_plugins, m_cancel);
+  JobExport out(m_opened, m_options, m_report.frames, m_plugins, m_report.cache, m_cancel);
   if (Status begun = out.begin(); !begun) return begun;
   const auto start = std::chrono::steady_clock::now();
   Status status;

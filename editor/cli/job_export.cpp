@@ -11,6 +11,8 @@
 #include "core/base/check.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
+#include "core/scene/flake_shapes.h"
+#include "core/snow/flake_field.h"
 #include "editor/cli/bitmap_font.h"
 #include "editor/cli/cancel_watch.h"
 #include "editor/cli/legend_painter.h"
@@ -83,6 +85,15 @@ FramePointer unwrapAtCamera(const FramePointer& frame, const SceneSnapshot& scen
   const Vec3d eye = cameraOf(scene, frame->info.time.film).position;
   std::shared_ptr<Frame> copy;
   for (const auto& [name, part] : frame->parts) {
+    if (const auto* flakes = dynamic_cast<const FlakesPart*>(part.get())) {
+      auto around = std::make_shared<ParticlePart>();
+      CpuBackend backend;
+      const auto snowfall = scene.settings<SnowfallNode>(frame->info.time.film);
+      around->particles = flakesAround(flakes->flakes, snowfall, eye, backend);
+      if (!copy) copy = std::make_shared<Frame>(*frame);
+      copy->parts[name] = std::move(around);
+      continue;
+    }
     const auto* particles = dynamic_cast<const ParticlePart*>(part.get());
     if (!particles || particles->particles.wrapBox <= 0.0) continue;
     auto unwrapped = std::make_shared<ParticlePart>(*particles);
@@ -126,11 +137,12 @@ std::vector<std::string> captionLines(const SceneSnapshot& scene) {
 }
 
 JobExport::JobExport(const OpenedScene& opened, const JobOptions& options, FrameRange frames,
-                     const PluginHost& plugins, const CancelToken& cancel)
+                     const PluginHost& plugins, std::string cacheFolder, const CancelToken& cancel)
     : m_opened(opened),
       m_options(options),
       m_frames(frames),
       m_plugins(plugins),
+      m_cacheFolder(std::move(cacheFolder)),
       m_cancel(cancel),
       m_baseName(fs::path(opened.file).stem().string()) {}
 
@@ -144,13 +156,23 @@ Status JobExport::begin() {
     const bool cache = std::find(ids.begin(), ids.end(), format) != ids.end();
     if (Status made = cache ? beginCache(format) : beginPictures(format); !made) return made;
   }
-  if (m_pictures.empty()) return {};
+  return m_pictures.empty() ? Status() : beginRenderer();
+}
+
+Status JobExport::beginRenderer() {
   Result<std::unique_ptr<EglContext>> context = EglContext::create();
   if (!context) return context.error();
   m_context = std::move(*context);
   m_renderer = std::make_unique<Renderer>();
   if (Status ready = m_renderer->initialise(); !ready) return ready;
   m_renderer->setScene(m_opened.snapshot);
+  if (m_opened.snapshot->first<SnowfallNode>()) {
+    const ScopedStage stage(m_timings, "grow flakes");
+    auto atlas =
+        obtainFlakeAtlas(atlasSettingsOf(*m_opened.snapshot), m_cacheFolder, m_cancel, {}, m_options.threads);
+    if (!atlas) return atlas.error();
+    m_renderer->setFlakeAtlas(*atlas);
+  }
   if (m_options.abandon) m_watch = std::make_unique<CancelWatch>(m_cancel);
   return {};
 }

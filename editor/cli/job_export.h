@@ -17,8 +17,8 @@ class CancelWatch;
 class EglContext;
 class Renderer;
 
-/// The frame with its particles where the camera of that moment sees them: periodic sets are unwrapped to the
-/// copy nearest to the camera and have no period any more.
+/// The frame with its particles where the camera of that moment sees them: flakes become particles round the
+/// camera, periodic sets are unwrapped to the copy nearest to it and have no period any more.
 FramePointer unwrapAtCamera(const FramePointer& frame, const SceneSnapshot& scene);
 
 /// The frame with these parts alone; all where none is named.
@@ -33,7 +33,7 @@ std::vector<std::string> creditLines(const SceneSnapshot& scene);
 class JobExport {
  public:
   JobExport(const OpenedScene& opened, const JobOptions& options, FrameRange frames,
-            const PluginHost& plugins, const CancelToken& cancel);
+            const PluginHost& plugins, std::string cacheFolder, const CancelToken& cancel);
   ~JobExport();
 
   /// Checks the formats, makes the folders, the context for pictures and the exporters.
@@ -52,6 +52,7 @@ class JobExport {
   struct Pictures;
   struct Cache;
 
+  Status beginRenderer();
   Status beginPictures(const std::string& format);
   Status beginCache(const std::string& format);
   Status writePictures(const FramePointer& frame);
@@ -61,6 +62,7 @@ class JobExport {
   const JobOptions& m_options;
   FrameRange m_frames;
   const PluginHost& m_plugins;
+  std::string m_cacheFolder;
   const CancelToken& m_cancel;
   std::string m_baseName;
   std::unique_ptr<EglContext> m_context;

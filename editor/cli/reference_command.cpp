@@ -39,6 +39,7 @@ std::string unitText(const PropertyInfo& property) {
     case Unit::Factor:
       return "";
     case Unit::Metre:
+    case Unit::Millimetre:
       return "m";
     case Unit::MetrePerSecond:
       return "m/s";

@@ -71,6 +71,16 @@ void flake(QPainter& p) {
     p.rotate(60);
   }
 }
+void crystal(QPainter& p) {
+  p.translate(8, 8);
+  p.setPen(QPen(QColor(0x3d, 0x6f, 0xa3), 1.1));
+  p.setBrush(QColor(0xcf, 0xe0, 0xee));
+  p.drawPolygon(QPolygonF({{0, -3.4}, {2.9, -1.7}, {2.9, 1.7}, {0, 3.4}, {-2.9, 1.7}, {-2.9, -1.7}}));
+  for (int arm = 0; arm < 6; ++arm) {
+    p.drawLine(QPointF(0, 3.4), QPointF(0, 7));
+    p.rotate(60);
+  }
+}
 void camera(QPainter& p) {
   p.setBrush(QColor(0x4a, 0x4f, 0x57));
   p.drawRoundedRect(QRectF(1, 5, 10, 7), 1.5, 1.5);
@@ -138,11 +148,11 @@ Draw drawingOf(const QString& type) {
       {QStringLiteral("ground_type"), fourColours}, {QStringLiteral("ground_temperature"), thermometer},
       {QStringLiteral("snow_depth"), depthStake},   {QStringLiteral("keep_clear"), shovel},
       {QStringLiteral("weather"), cloud},           {QStringLiteral("snowfall"), flake},
-      {QStringLiteral("camera"), camera},           {QStringLiteral("render"), picture},
-      {QStringLiteral("simulation"), gear},         {QStringLiteral("avalanche_release"), slab},
-      {QStringLiteral("water_source"), drop},       {QStringLiteral("flow_sink"), drain},
-      {QStringLiteral("rigid_body"), boulder},      {QStringLiteral("flow_material"), flask},
-      {QStringLiteral("flow_settings"), waves}};
+      {QStringLiteral("flake"), crystal},           {QStringLiteral("camera"), camera},
+      {QStringLiteral("render"), picture},          {QStringLiteral("simulation"), gear},
+      {QStringLiteral("avalanche_release"), slab},  {QStringLiteral("water_source"), drop},
+      {QStringLiteral("flow_sink"), drain},         {QStringLiteral("rigid_body"), boulder},
+      {QStringLiteral("flow_material"), flask},     {QStringLiteral("flow_settings"), waves}};
   return kDrawings.value(type, gear);
 }
 

@@ -43,21 +43,6 @@ float layered(int i, int j) {
   return 0.5f + 0.5f * sum;
 }
 
-/// Opacity of one shape: overlapping crystals scattered about the centre, denser inside.
-float flakeAlpha(int shape, float x, float y) {
-  float alpha = 0.0f;
-  for (int k = 0; k < 9; ++k) {
-    const auto index = static_cast<std::uint64_t>(shape * 16 + k);
-    const float angle = 6.2831853f * kRandom.uniform(index, 100);
-    const float reach = 0.62f * std::sqrt(kRandom.uniform(index, 101));
-    const float size = 0.16f + 0.20f * kRandom.uniform(index, 102);
-    const float d = std::hypot(x - reach * std::cos(angle), y - reach * std::sin(angle)) / size;
-    alpha = 1.0f - (1.0f - alpha) * (1.0f - 0.85f * std::exp(-1.6f * d * d * d));
-  }
-  const float rim = std::clamp((1.0f - std::hypot(x, y)) * 6.0f, 0.0f, 1.0f);
-  return alpha * rim;
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> makeNoiseTile() {
@@ -78,19 +63,6 @@ std::vector<std::uint8_t> makeNoiseTile() {
       tile.push_back(toByte(kRandom.uniform(static_cast<std::uint64_t>(j * kNoiseSize + i), 50)));
     }
   return tile;
-}
-
-std::vector<std::uint8_t> makeFlakeAtlas() {
-  std::vector<std::uint8_t> atlas(kFlakeShapes * kFlakeTexels * kFlakeTexels);
-  for (int shape = 0; shape < kFlakeShapes; ++shape)
-    for (int j = 0; j < kFlakeTexels; ++j)
-      for (int i = 0; i < kFlakeTexels; ++i) {
-        const float x = (static_cast<float>(i) + 0.5f) / kFlakeTexels * 2.0f - 1.0f;
-        const float y = (static_cast<float>(j) + 0.5f) / kFlakeTexels * 2.0f - 1.0f;
-        atlas[static_cast<std::size_t>((shape * kFlakeTexels + j) * kFlakeTexels + i)] =
-            toByte(flakeAlpha(shape, x, y));
-      }
-  return atlas;
 }
 
 }  // namespace spin

@@ -13,9 +13,4 @@ inline constexpr int kNoiseSize = 256;
 /// along u and v (0.5 = level), and white noise. The same bytes on every machine.
 std::vector<std::uint8_t> makeNoiseTile();
 
-/// Opacity of falling aggregates: kFlakeShapes layers of kFlakeTexels^2, soft edges.
-inline constexpr int kFlakeShapes = 8;
-inline constexpr int kFlakeTexels = 32;
-std::vector<std::uint8_t> makeFlakeAtlas();
-
 }  // namespace spin

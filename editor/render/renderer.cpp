@@ -149,6 +149,10 @@ void Renderer::setFrame(FramePointer frame) {
   st.coverStale = true;
 }
 
+void Renderer::setFlakeAtlas(std::shared_ptr<const FlakeAtlas> atlas) {
+  m_state->flakes.setAtlas(std::move(atlas));
+}
+
 void Renderer::State::updateCover() {
   if (!coverStale) return;
   coverStale = false;
@@ -161,7 +165,7 @@ void Renderer::State::updateCover() {
   const auto particles = [&](const char* name) {
     return std::dynamic_pointer_cast<const ParticlePart>(part(name));
   };
-  flakes.setFlakes(particles("flakes"));
+  flakes.setFlakes(std::dynamic_pointer_cast<const FlakesPart>(part("flakes")));
   double spacing = 0.0;
   if (frame) {
     const auto& figures = frame->info.figures;

@@ -12,6 +12,8 @@
 
 namespace spin {
 
+struct FlakeAtlas;
+
 /// Where the eye is. Local metres, z up.
 struct RenderCamera {
   Vec3d position{0, -50, 20};
@@ -62,6 +64,8 @@ class Renderer {
   void setScene(SnapshotPointer scene);
   /// Takes over a frame's cover and flakes; null = bare scene.
   void setFrame(FramePointer frame);
+  /// Takes over the shapes of falling flakes; null = soft discs.
+  void setFlakeAtlas(std::shared_ptr<const FlakeAtlas> atlas);
   /// Draws at a film time into the lower left of `framebuffer` (0 = default), sRGB-encoded; the target's own
   /// depth buffer is not touched. Leaves blending, depth test and clip control as OpenGL starts with.
   void draw(unsigned framebuffer, const RenderCamera& camera, double filmTime, const RenderOptions& options);

@@ -7,7 +7,9 @@
 
 #include "core/base/units.h"
 #include "core/nodes/settings_nodes.h"
+#include "core/physics/snow_visibility.h"
 #include "core/sim/scene_time.h"
+#include "core/snow/snow_weather.h"
 
 namespace spin {
 namespace {
@@ -81,11 +83,6 @@ Matrix4 lightMatrix(Vec3d centre, Vec3d toLight, double halfSize, double depthRa
   return m;
 }
 
-double snowfallExtinction(double precipitationRate, double fallSpeed) {
-  const double gramsPerCubicMetre = 1000.0 * precipitationRate / fallSpeed;
-  return gramsPerCubicMetre > 0.0 ? 1e-3 * 10.36 * std::pow(gramsPerCubicMetre, 0.7776) : 0.0;
-}
-
 double readableHaze(double extinction, double distance) {
   constexpr double kMaxDepth = 0.7;
   const double depth = extinction * distance;
@@ -118,12 +115,10 @@ LightModel lightModel(const SceneSnapshot& scene, double filmTime, double snowSh
   m.zenith = mix(clearZenith, sky * (0.62 * gain), m.cloud);
   m.horizon = mix(clearHorizon, sky * (0.80 * gain), m.cloud);
   // Clean mountain air: 80 km of sight. Falling snow adds the share that the picture settings ask for.
-  const auto snowfall = scene.first<SnowfallNode>();
   double falling = 0.0;
-  if (snowfall) {
-    const double rate = weather.precipitationRate * scene.settings<SnowfallNode>(filmTime).rateFactor;
-    falling = picture.snowfallHaze * snowfallExtinction(rate, 1.0);
-  }
+  if (scene.first<SnowfallNode>())
+    falling =
+        picture.snowfallHaze * snowExtinction(snowWeatherAt(scene, filmTime).spectrum.massConcentration);
   m.hazeExtinction = 3.912 / 80e3 + falling;
   return m;
 }

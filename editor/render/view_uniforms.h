@@ -38,11 +38,6 @@ LightModel lightModel(const SceneSnapshot& scene, double filmTime, double snowSh
 /// optical depth up to there at most 0.7, so that half of the contrast remains.
 double readableHaze(double extinction, double distance);
 
-/// Extinction of falling snow in 1/m for a precipitation rate in kg/(m2 s) of water and a mean fall speed in
-/// m/s: 10.36 C^0.7776 1/km, C the mass of snow in g/m3. Source: Stoelinga and Warner 1999, from measurements
-/// of Stallabrass 1985.
-double snowfallExtinction(double precipitationRate, double fallSpeed);
-
 /// The block FrameBlock of common.glsl (std140).
 struct FrameBlock {
   Matrix4 viewProjection{};

@@ -45,6 +45,7 @@ Result<PicturePainter::Drawn> PicturePainter::draw(const PictureRequest& request
   m_terrain = terrain;
   m_renderer->setScene(request.scene);
   m_renderer->setFrame(request.frame);
+  m_renderer->setFlakeAtlas(request.flakeAtlas);
   const auto uploaded = std::chrono::steady_clock::now();
   const DrawBudget::Effort effort = m_budget.effort(request.moving);
   RenderOptions options = request.options;

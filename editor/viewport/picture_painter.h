@@ -20,6 +20,7 @@ namespace spin {
 struct PictureRequest {
   SnapshotPointer scene;
   FramePointer frame;
+  std::shared_ptr<const FlakeAtlas> flakeAtlas;  ///< null = soft discs
   RenderCamera camera;
   double filmTime = 0.0;
   RenderOptions options;  ///< width and height in pixels of the screen; detail and samples are chosen here

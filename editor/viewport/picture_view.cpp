@@ -43,6 +43,12 @@ void PictureView::setFrame(FramePointer frame) {
   changed();
 }
 
+void PictureView::setFlakeAtlas(std::shared_ptr<const FlakeAtlas> atlas) {
+  if (atlas == m_request.flakeAtlas) return;
+  m_request.flakeAtlas = std::move(atlas);
+  changed();
+}
+
 void PictureView::setView(const RenderCamera& camera, double filmTime, const RenderOptions& options) {
   m_request.camera = camera;
   m_request.filmTime = filmTime;

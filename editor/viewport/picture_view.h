@@ -20,6 +20,7 @@ class PictureView : public QWidget {
 
   void setScene(SnapshotPointer scene);
   void setFrame(FramePointer frame);
+  void setFlakeAtlas(std::shared_ptr<const FlakeAtlas> atlas);
   /// Everything else that the picture depends on. Width, height and detail of the options are filled in here.
   void setView(const RenderCamera& camera, double filmTime, const RenderOptions& options);
   /// The change that is coming is part of a movement: speed counts more than detail. False ends it.

@@ -81,6 +81,10 @@ void Viewport::setFrame(FramePointer frame) {
   updateLegend();
 }
 
+void Viewport::setFlakeAtlas(std::shared_ptr<const FlakeAtlas> atlas) {
+  m_surface->setFlakeAtlas(std::move(atlas));
+}
+
 void Viewport::updateLegend() {
   m_legend = m_scene ? flowLegend(*m_scene, m_frame.get(), m_filmTime) : std::nullopt;
   updateOverlay();

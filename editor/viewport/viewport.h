@@ -31,6 +31,8 @@ class Viewport : public QWidget {
 
   void setScene(SnapshotPointer scene);
   void setFrame(FramePointer frame);
+  /// Shapes of the falling flakes; null = soft discs.
+  void setFlakeAtlas(std::shared_ptr<const FlakeAtlas> atlas);
   void setFilmTime(double seconds);
   void setSelected(const std::string& node);
   Tool tool() const { return m_tool; }

@@ -6,6 +6,7 @@
 
 #include "core/nodes/terrain_node.h"
 #include "core/nodes/weather_nodes.h"
+#include "core/sim/flakes_part.h"
 #include "editor/cli/job_export.h"
 
 namespace spin {
@@ -92,6 +93,19 @@ TEST(Unwrap, ParticlesStandRoundTheCamera) {
   EXPECT_EQ(part->particles.positions[0], (Vec3f{0, -50, 20}));
   EXPECT_EQ(part->particles.positions[1], (Vec3f{-0.5f, -49, 21}));
   EXPECT_EQ(flakes->particles.wrapBox, 10.0) << "the cached frame is untouched";
+  auto snowy = std::make_shared<Frame>();
+  auto falling = std::make_shared<FlakesPart>();
+  FlakeClass one;
+  one.diameter = 0.002;
+  falling->flakes.classes.assign(kFlakeClasses, one);
+  falling->flakes.numberDensity = 1000.0;
+  snowy->parts["flakes"] = falling;
+  const FramePointer around = unwrapAtCamera(snowy, *opened.snapshot);
+  const auto* particles = around->part<ParticlePart>("flakes");
+  ASSERT_TRUE(particles) << "exporters know particles only";
+  ASSERT_GT(particles->particles.size(), 1000u);
+  for (const Vec3f& p : particles->particles.positions)
+    ASSERT_LT(length(p.to<double>() - Vec3d{0, -50, 20}), 0.5 * SnowfallNode().boxSize + 1e-3);
   auto plain = std::make_shared<Frame>();
   EXPECT_EQ(unwrapAtCamera(plain, *opened.snapshot), FramePointer(plain));
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "editor/render/renderer.h"
+#include "core/sim/flakes_part.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -28,12 +29,12 @@ class RendererTest : public GlTest {
     CoverGrid patch{"box/0", "box", Raster<float>(40, 30, -3.9, -2.9, 0.2, 5.0f), {}};
     patch.area = patch.base.sameShape<float>(0.04f);
     addGrid(*frame, patch, std::vector<float>(patch.base.size(), 0.35f));
-    auto flakes = std::make_shared<ParticlePart>();
-    flakes->particles.wrapBox = 20.0;
-    for (int k = 0; k < 500; ++k)
-      flakes->particles.positions.push_back({static_cast<float>(k * 7 % 200) * 0.1f,
-                                             static_cast<float>(k * 13 % 200) * 0.1f,
-                                             static_cast<float>(k * 29 % 200) * 0.1f});
+    auto flakes = std::make_shared<FlakesPart>();
+    FlakeClass one;
+    one.diameter = 0.004;
+    flakes->flakes.classes.assign(kFlakeClasses, one);
+    flakes->flakes.numberDensity = 150.0;
+    flakes->flakes.cover = 0.4;
     frame->parts["flakes"] = flakes;
     return {scene, frame};
   }

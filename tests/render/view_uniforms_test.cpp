@@ -57,13 +57,6 @@ TEST(View, LightMatrixHoldsStillForSmallMoves) {
   EXPECT_NE(lightMatrix({100, 100, 10}, sun, 48, 96, 1024), lightMatrix({120, 100, 10}, sun, 48, 96, 1024));
 }
 
-TEST(Light, SnowfallExtinctionFollowsThePublishedLaw) {
-  // C = 1 g/m3: 10.36 1/km.
-  EXPECT_NEAR(snowfallExtinction(1e-3, 1.0), 10.36e-3, 1e-9);
-  EXPECT_NEAR(snowfallExtinction(2e-3, 1.0) / snowfallExtinction(1e-3, 1.0), std::pow(2.0, 0.7776), 1e-9);
-  EXPECT_EQ(snowfallExtinction(0.0, 1.0), 0.0);
-}
-
 TEST(Light, ExposureAndWeatherActInTheRightDirection) {
   const auto light = [](double stops, double cloud, double elevation) {
     test::SceneBuilder scene;
@@ -132,22 +125,6 @@ TEST(Noise, TileIsCentredAndRepeatsWithoutASeam) {
   }
   EXPECT_NEAR(mean / (kNoiseSize * kNoiseSize), 127.5, 8.0);
   EXPECT_LT(seam, 2.0 * inner);
-}
-
-TEST(Noise, FlakesAreSolidInsideAndClearAtTheBorder) {
-  const auto atlas = makeFlakeAtlas();
-  for (int shape = 0; shape < kFlakeShapes; ++shape) {
-    double most = 0.0;
-    for (int j = 0; j < kFlakeTexels; ++j)
-      for (int i = 0; i < kFlakeTexels; ++i) {
-        const auto a = atlas[static_cast<std::size_t>((shape * kFlakeTexels + j) * kFlakeTexels + i)];
-        most = std::max(most, static_cast<double>(a));
-        if (i == 0 || j == 0 || i == kFlakeTexels - 1 || j == kFlakeTexels - 1) {
-          EXPECT_LT(a, 8);
-        }
-      }
-    EXPECT_GT(most, 200.0);
-  }
 }
 
 }  // namespace

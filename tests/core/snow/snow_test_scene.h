@@ -12,6 +12,7 @@
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
 #include "core/nodes/weather_nodes.h"
+#include "core/sim/flakes_part.h"
 #include "core/snow/exposure_process.h"
 #include "core/snow/snow_processes.h"
 
@@ -105,16 +106,10 @@ inline const CoverPart& coverOf(const Frame& frame) {
   return *cover;
 }
 
-inline const ParticleSet& flakesOf(const Frame& frame) {
-  const auto* part = frame.part<ParticlePart>("flakes");
+inline const FallingFlakes& flakesOf(const Frame& frame) {
+  const auto* part = frame.part<FlakesPart>("flakes");
   SPIN_CHECK(part, "the frame has no flakes");
-  return part->particles;
-}
-
-inline const std::vector<float>& valuesOf(const ParticleSet& set, const std::string& attribute) {
-  const ParticleAttribute* found = set.find(attribute);
-  SPIN_CHECK(found, "no attribute " + attribute);
-  return found->values;
+  return part->flakes;
 }
 
 inline ExposureFieldPointer fieldIn(Exchange& exchange) {
