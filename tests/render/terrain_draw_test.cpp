@@ -118,11 +118,11 @@ TEST_F(TerrainDraw, FalseColoursTellDepthsAndWhatIsKeptClear) {
   }
   options.ground = GroundDisplay::KeepClear;
   picture = draw(scene.build(), nullptr, above, options);
-  EXPECT_GT(picture.red(10, 32), 3 * picture.blue(10, 32)) << "the road's";
+  EXPECT_GT(picture.red(10, 32), 2 * picture.blue(10, 32)) << "the road's";
   EXPECT_LT(picture.red(54, 32), 1.5 * picture.blue(54, 32));
   options.selectedNode = "yard";
   picture = draw(scene.build(), nullptr, above, options);
-  EXPECT_GT(picture.red(54, 32), 3 * picture.blue(54, 32)) << "the yard's";
+  EXPECT_GT(picture.red(54, 32), 2 * picture.blue(54, 32)) << "the yard's";
 }
 
 TEST_F(TerrainDraw, AStrokeUploadsOnlyItsTile) {
