@@ -107,7 +107,7 @@ void CoverSite::addTerrain(const SceneSnapshot& scene, const SnowGround& ground,
         m_material[cell] = static_cast<std::uint8_t>(layers.type[c]);
         m_groundTemperature[cell] =
             static_cast<float>(kelvinToCelsius(std::isnan(painted) ? unpainted : painted));
-        m_height[cell] = base.at(i, j);
+        m_height[cell] = std::isnan(base.at(i, j)) ? 0.0f : base.at(i, j);
         if (!m_horizon) continue;
         const int ci = std::clamp(heights.column(base.x(i)), 0, heights.width - 1);
         const int cj = std::clamp(heights.row(base.y(j)), 0, heights.height - 1);
@@ -131,7 +131,7 @@ void CoverSite::addModels(const SceneSnapshot& scene, const SnowGround& ground) 
         const std::size_t cell = m_first[patch.grid] + c;
         m_material[cell] = static_cast<std::uint8_t>(kGroundTypeCount + surface);
         m_groundTemperature[cell] = static_cast<float>(air);
-        m_height[cell] = static_cast<float>(place.z) + base.values[c];
+        if (!std::isnan(base.values[c])) m_height[cell] = static_cast<float>(place.z) + base.values[c];
         if (!m_horizon) continue;
         m_normals[cell] = cellNormal(model, patch, c).to<float>();
         const Raster<float>& heights = scene.terrain->heights;

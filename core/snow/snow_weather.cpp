@@ -5,10 +5,7 @@
 #include <algorithm>
 
 #include "core/base/check.h"
-#include "core/base/units.h"
-#include "core/nodes/settings_nodes.h"
-#include "core/physics/humidity.h"
-#include "core/sim/scene_time.h"
+#include "core/sim/scene_weather.h"
 
 namespace spin {
 
@@ -26,29 +23,13 @@ const FlakeFallLaw& fallLaw(FlakeType type) {
 
 SnowWeather snowWeatherAt(const SceneSnapshot& scene, double filmTime) {
   const auto weather = scene.settings<WeatherNode>(filmTime);
+  const AirNow air = airAt(scene, filmTime);
   SnowWeather now;
   now.snowfall = scene.settings<SnowfallNode>(filmTime);
   now.wind = windVector(weather.windSpeed, weather.windFromDegrees);
-  now.airTemperature = weather.airTemperature;
-  double humidity = weather.relativeHumidity;
-  now.precipitation = weather.precipitationRate;
-  const double weatherTime = filmTime * scene.settings<SimulationNode>(0.0).timeScale;
-  const std::optional<double> utc = scene.weather ? utcAt(scene, weatherTime) : std::nullopt;
-  if (utc) {
-    const WeatherRecord record = meanRecord(*scene.weather, *utc, *utc);
-    now.airTemperature = record.airTemperature;
-    humidity = record.relativeHumidity;
-    now.precipitation = record.snowfall;
-    now.rainfall = record.rainfall;
-  }
-  if (weather.phase == PrecipitationPhase::ByTemperature) {
-    const double all = now.precipitation + now.rainfall;
-    now.precipitation = all * snowShare(kelvinToCelsius(now.airTemperature), humidity);
-    now.rainfall = all - now.precipitation;
-  }
-  const double factor = scene.first<SnowfallNode>() ? now.snowfall.rateFactor : 0.0;
-  now.precipitation *= factor;
-  now.rainfall *= factor;
+  now.airTemperature = air.temperature;
+  now.precipitation = air.snowfall;
+  now.rainfall = air.rainfall;
   now.spectrum = makeSizeSpectrum(fallLaw(now.snowfall.type), now.precipitation);
   return now;
 }
