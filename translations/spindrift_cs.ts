@@ -1810,6 +1810,338 @@
         <source>Linear term B of the size on screen: flakes shrink faster with the distance D at first. 0 is perspective as it is.</source>
         <translation>Lineární člen B velikosti na obrazovce: vločky se vzdáleností D zprvu zmenšují rychleji. 0 je perspektiva, jaká je.</translation>
     </message>
+    <message>
+        <source>Energy balance</source>
+        <translation>Energetická bilance</translation>
+    </message>
+    <message>
+        <source>Degree-day</source>
+        <translation>Metoda stupeň-den</translation>
+    </message>
+    <message>
+        <source>Tang and Zhang, as published</source>
+        <translation>Tang a Zhang, jak publikovali</translation>
+    </message>
+    <message>
+        <source>Lies as it fell</source>
+        <translation>Leží, jak napadl</translation>
+    </message>
+    <message>
+        <source>Melt</source>
+        <translation>Tání</translation>
+    </message>
+    <message>
+        <source>Energy balance: sun, sky, air, rain and ground, settling and refreezing. Degree-day: by the air&apos;s temperature alone. As published: the law of Tang and Zhang, for comparison; it knows no heat of melting. Lies as it fell: snow neither settles nor melts.</source>
+        <translation>Energetická bilance: slunce, obloha, vzduch, déšť a země, sesedání a opětovné zamrzání. Metoda stupeň-den: pouze podle teploty vzduchu. Jak publikovali: zákon autorů Tang a Zhang pro srovnání; nezná skupenské teplo tání. Leží, jak napadl: sníh se nesesedá ani netaje.</translation>
+    </message>
+    <message>
+        <source>Degree-day factor</source>
+        <translation>Faktor stupeň-den</translation>
+    </message>
+    <message>
+        <source>Water that melts per day and degree above the threshold; 2 to 6 are usual.</source>
+        <translation>Voda, která odtaje za den na každý stupeň nad prahem; obvyklé je 2 až 6.</translation>
+    </message>
+    <message>
+        <source>Degree-day threshold</source>
+        <translation>Práh metody stupeň-den</translation>
+    </message>
+    <message>
+        <source>Air temperature above which snow melts.</source>
+        <translation>Teplota vzduchu, nad níž sníh taje.</translation>
+    </message>
+    <message>
+        <source>Albedo of new snow</source>
+        <translation>Albedo nového sněhu</translation>
+    </message>
+    <message>
+        <source>Share of the sun&apos;s light that new snow sends back.</source>
+        <translation>Podíl slunečního světla, který nový sníh odráží.</translation>
+    </message>
+    <message>
+        <source>Albedo of old snow</source>
+        <translation>Albedo starého sněhu</translation>
+    </message>
+    <message>
+        <source>What the albedo of ageing snow falls to.</source>
+        <translation>Na jakou hodnotu klesne albedo stárnoucího sněhu.</translation>
+    </message>
+    <message>
+        <source>Height of the wind</source>
+        <translation>Výška měření větru</translation>
+    </message>
+    <message>
+        <source>Above ground, at which the wind is measured.</source>
+        <translation>Výška nad zemí, v níž se měří vítr.</translation>
+    </message>
+    <message>
+        <source>Height of the temperature</source>
+        <translation>Výška měření teploty</translation>
+    </message>
+    <message>
+        <source>Above ground, at which temperature and humidity are.</source>
+        <translation>Výška nad zemí, pro niž platí teplota a vlhkost.</translation>
+    </message>
+    <message>
+        <source>Slopes and shadow</source>
+        <translation>Svahy a stín</translation>
+    </message>
+    <message>
+        <source>Sun and sky count by slope, aspect and horizon; off: everything lies level and open.</source>
+        <translation>Slunce a obloha se počítají podle sklonu, orientace svahu a obzoru; vypnuto: vše leží vodorovně a otevřeně.</translation>
+    </message>
+    <message>
+        <source>Horizon reach</source>
+        <translation>Dosah obzoru</translation>
+    </message>
+    <message>
+        <source>How far away mountains cast shadow.</source>
+        <translation>Z jaké vzdálenosti ještě hory vrhají stín.</translation>
+    </message>
+    <message>
+        <source>Place in local metres: east, north; it lies on the ground.</source>
+        <translation>Místo v místních metrech: východ, sever; leží na zemi.</translation>
+    </message>
+    <message>
+        <source>How far it warms; the heat fades towards the edge.</source>
+        <translation>Jak daleko hřeje; k okraji teplo slábne.</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Výkon</translation>
+    </message>
+    <message>
+        <source>Heat that goes into the ground at the centre; 100 W/m² melts 26 mm of water a day.</source>
+        <translation>Teplo, které jde ve středu do země; 100 W/m² roztaví sníh o 26 mm vody za den.</translation>
+    </message>
+    <message>
+        <source>Snow cover</source>
+        <translation>Sněhová pokrývka</translation>
+    </message>
+    <message>
+        <source>How lying snow settles, ages and melts.</source>
+        <translation>Jak ležící sníh sesedá, stárne a taje.</translation>
+    </message>
+    <message>
+        <source>Heat source</source>
+        <translation>Zdroj tepla</translation>
+    </message>
+    <message>
+        <source>Warm ground on which less snow stays.</source>
+        <translation>Teplá země, na níž zůstává méně sněhu.</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>Paprsky</translation>
+    </message>
+    <message>
+        <source>Occlusion maps</source>
+        <translation>Mapy zastínění</translation>
+    </message>
+    <message>
+        <source>Shelter by</source>
+        <translation>Závětří podle</translation>
+    </message>
+    <message>
+        <source>Rays: exact but for the number of rays. Maps: pictures of the scene along a few directions of fall, quicker with many triangles and moving things, and a little coarse at edges.</source>
+        <translation>Paprsky: přesné až na počet paprsků. Mapy: obrazy scény v několika směrech pádu, rychlejší při mnoha trojúhelnících a pohyblivých věcech a na okrajích trochu hrubé.</translation>
+    </message>
+    <message>
+        <source>Map directions</source>
+        <translation>Směry map</translation>
+    </message>
+    <message>
+        <source>Directions of fall that maps are drawn for; few give stepped edges of shelter.</source>
+        <translation>Směry pádu, pro které se mapy kreslí; při malém počtu má závětří stupňovité okraje.</translation>
+    </message>
+    <message>
+        <source>Map size</source>
+        <translation>Velikost mapy</translation>
+    </message>
+    <message>
+        <source>Texels along a map at most; small ground takes as many as half a cell asks for.</source>
+        <translation>Nejvyšší počet texelů na stranu mapy; malá plocha jich dostane tolik, aby jeden odpovídal polovině buňky.</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Povrch</translation>
+    </message>
+    <message>
+        <source>What the snow lies on: how well it conducts heat, how dark it is.</source>
+        <translation>Na čem sníh leží: jak dobře povrch vede teplo a jak je tmavý.</translation>
+    </message>
+    <message>
+        <source>Heat</source>
+        <translation>Teplo</translation>
+    </message>
+    <message>
+        <source>Heat that comes up through the surface: 10 for a house, 100 melts 26 mm of water a day.</source>
+        <translation>Teplo, které prostupuje povrchem vzhůru: 10 pro dům, 100 roztaví sníh o 26 mm vody za den.</translation>
+    </message>
+    <message>
+        <source>Dusting</source>
+        <translation>Poprašek</translation>
+    </message>
+    <message>
+        <source>In pictures, how much of the snow of the ground beside it shows on what faces up: for trees and small things in great numbers that catch no snow of their own.</source>
+        <translation>Jaká část sněhu z okolní země se v obrazech ukáže na plochách obrácených vzhůru: pro stromy a drobné věci ve velkém počtu, které samy sníh nezachytávají.</translation>
+    </message>
+    <message>
+        <source>Fine cover round it</source>
+        <translation>Jemná pokrývka kolem</translation>
+    </message>
+    <message>
+        <source>The ground round the model has small cover cells, so that lee and eaves show; off for what stands far away or in great numbers.</source>
+        <translation>Země kolem modelu má malé buňky pokrývky, aby bylo vidět závětří a přesahy střech; vypněte u toho, co stojí daleko nebo ve velkém počtu.</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Kopie</translation>
+    </message>
+    <message>
+        <source>Places (east, north) at which the model stands once more.</source>
+        <translation>Místa (východ, sever), na nichž model stojí ještě jednou.</translation>
+    </message>
+    <message>
+        <source>Turn of copies</source>
+        <translation>Otočení kopií</translation>
+    </message>
+    <message>
+        <source>Range within which copies are turned at random.</source>
+        <translation>Rozsah, v němž se kopie náhodně otáčejí.</translation>
+    </message>
+    <message>
+        <source>Size of copies</source>
+        <translation>Velikost kopií</translation>
+    </message>
+    <message>
+        <source>Share by which copies are larger or smaller at random: 0.2 gives 0.8 to 1.2.</source>
+        <translation>Podíl, o který jsou kopie náhodně větší nebo menší: 0,2 dává 0,8 až 1,2.</translation>
+    </message>
+    <message>
+        <source>Seed of copies</source>
+        <translation>Semínko kopií</translation>
+    </message>
+    <message>
+        <source>Another number turns and scales the copies otherwise.</source>
+        <translation>Jiné číslo otočí a zvětší či zmenší kopie jinak.</translation>
+    </message>
+    <message>
+        <source>Always snow</source>
+        <translation>Vždy sníh</translation>
+    </message>
+    <message>
+        <source>Snow or rain by temperature</source>
+        <translation>Sníh nebo déšť podle teploty</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Žádné</translation>
+    </message>
+    <message>
+        <source>As in pictures</source>
+        <translation>Jako na obrazech</translation>
+    </message>
+    <message>
+        <source>By date</source>
+        <translation>Podle data</translation>
+    </message>
+    <message>
+        <source>Falls as</source>
+        <translation>Padá jako</translation>
+    </message>
+    <message>
+        <source>Snow whatever the air&apos;s temperature, or at every place what its air and humidity make of it.</source>
+        <translation>Sníh při jakékoli teplotě vzduchu, nebo na každém místě to, co z něj udělá teplota a vlhkost tamního vzduchu.</translation>
+    </message>
+    <message>
+        <source>Humidity</source>
+        <translation>Vlhkost</translation>
+    </message>
+    <message>
+        <source>Relative humidity of the air; dry air lets snow vanish without melting.</source>
+        <translation>Relativní vlhkost vzduchu; v suchém vzduchu sníh mizí, aniž taje.</translation>
+    </message>
+    <message>
+        <source>Station record</source>
+        <translation>Záznam stanice</translation>
+    </message>
+    <message>
+        <source>Text file of a weather station, a row per step: year, month, day, hour (UTC), shortwave and longwave W/m2, snowfall and rainfall kg/(m2 s), air temperature K, humidity %, wind m/s, pressure Pa. It replaces the values above but the wind&apos;s direction and the speed that tilts the fall.</source>
+        <translation>Textový soubor meteorologické stanice, řádek na krok: rok, měsíc, den, hodina (UTC), krátkovlnné a dlouhovlnné záření W/m2, sněhové a dešťové srážky kg/(m2 s), teplota vzduchu K, vlhkost %, vítr m/s, tlak Pa. Nahrazuje hodnoty výše kromě směru větru a rychlosti, která sklání pád sněhu.</translation>
+    </message>
+    <message>
+        <source>Film begins</source>
+        <translation>Začátek filmu</translation>
+    </message>
+    <message>
+        <source>Date and time (UTC) at which the film begins, as 2005-10-01 00:00. Empty: at the begin of the station record.</source>
+        <translation>Datum a čas (UTC), kdy film začíná, ve tvaru 2005-10-01 00:00. Prázdné: na začátku záznamu stanice.</translation>
+    </message>
+    <message>
+        <source>Sun that melts</source>
+        <translation>Slunce pro tání</translation>
+    </message>
+    <message>
+        <source>None: as at night or under the thickest cloud. As in pictures: the sun that azimuth and elevation set. By date: where date and place put it, with day, season and the shadow of mountains.</source>
+        <translation>Žádné: jako v noci nebo pod nejhustšími oblaky. Jako na obrazech: slunce, které určuje azimut a výška. Podle data: tam, kam je klade datum a místo, s dnem, ročním obdobím a stínem hor.</translation>
+    </message>
+    <message>
+        <source>Sun of the date lights</source>
+        <translation>Svítí slunce podle data</translation>
+    </message>
+    <message>
+        <source>Pictures have the sun of date and place, nights too; off: azimuth and elevation.</source>
+        <translation>Obrazy mají slunce podle data a místa, i noci; vypnuto: azimut a výška.</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Zeměpisná šířka</translation>
+    </message>
+    <message>
+        <source>Of the scene, north positive; for the sun.</source>
+        <translation>Šířka scény, na sever kladná; pro slunce.</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Zeměpisná délka</translation>
+    </message>
+    <message>
+        <source>Of the scene, east positive; for the sun.</source>
+        <translation>Délka scény, na východ kladná; pro slunce.</translation>
+    </message>
+    <message>
+        <source>Weather of an altitude</source>
+        <translation>Počasí nadmořské výšky</translation>
+    </message>
+    <message>
+        <source>The weather was measured at the altitude below; off: at the terrain&apos;s lowest point.</source>
+        <translation>Počasí bylo měřeno v nadmořské výšce uvedené níže; vypnuto: v nejnižším bodě terénu.</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>Nadmořská výška</translation>
+    </message>
+    <message>
+        <source>Height above sea level at which the weather was measured.</source>
+        <translation>Výška nad hladinou moře, v níž bylo počasí měřeno.</translation>
+    </message>
+    <message>
+        <source>Cooling upwards</source>
+        <translation>Ochlazování s výškou</translation>
+    </message>
+    <message>
+        <source>How much colder the air is higher up; 6.5 K/km is usual, 0 gives one temperature.</source>
+        <translation>O kolik je vzduch výše chladnější; obvyklé je 6,5 K/km, 0 dává jednu teplotu.</translation>
+    </message>
+    <message>
+        <source>More precipitation upwards</source>
+        <translation>Přibývání srážek s výškou</translation>
+    </message>
+    <message>
+        <source>How much more falls higher up, as a share of what falls where the weather was measured.</source>
+        <translation>O kolik více padá výše, jako podíl toho, co padá v místě měření počasí.</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>
@@ -1844,6 +2176,14 @@
     <message>
         <source>No file is chosen for %1.</source>
         <translation>Pro %1 není vybrán soubor.</translation>
+    </message>
+    <message>
+        <source>The film&apos;s begin is no date. Write it as 2005-10-01 00:00 (UTC).</source>
+        <translation>Začátek filmu není datum. Zapište jej jako 2005-10-01 00:00 (UTC).</translation>
+    </message>
+    <message>
+        <source>The sun needs a date: it stands still until the film&apos;s begin is set.</source>
+        <translation>Slunce potřebuje datum: stojí, dokud není nastaven začátek filmu.</translation>
     </message>
 </context>
 <context>

@@ -1810,6 +1810,338 @@
         <source>Linear term B of the size on screen: flakes shrink faster with the distance D at first. 0 is perspective as it is.</source>
         <translation>屏幕大小公式的线性项 B:雪花起初随距离 D 缩小得更快。0 为原本的透视。</translation>
     </message>
+    <message>
+        <source>Energy balance</source>
+        <translation>能量平衡</translation>
+    </message>
+    <message>
+        <source>Degree-day</source>
+        <translation>度日法</translation>
+    </message>
+    <message>
+        <source>Tang and Zhang, as published</source>
+        <translation>Tang 和 Zhang（按原文）</translation>
+    </message>
+    <message>
+        <source>Lies as it fell</source>
+        <translation>保持降下时的状态</translation>
+    </message>
+    <message>
+        <source>Melt</source>
+        <translation>融化</translation>
+    </message>
+    <message>
+        <source>Energy balance: sun, sky, air, rain and ground, settling and refreezing. Degree-day: by the air&apos;s temperature alone. As published: the law of Tang and Zhang, for comparison; it knows no heat of melting. Lies as it fell: snow neither settles nor melts.</source>
+        <translation>能量平衡：太阳、天空、空气、雨和地面，以及沉降和再冻结。度日法：仅由气温决定。按原文：Tang 和 Zhang 的定律，供比较；不考虑融化热。保持降下时的状态：雪既不沉降也不融化。</translation>
+    </message>
+    <message>
+        <source>Degree-day factor</source>
+        <translation>度日因子</translation>
+    </message>
+    <message>
+        <source>Water that melts per day and degree above the threshold; 2 to 6 are usual.</source>
+        <translation>气温每高出阈值一度，每天融化的水量；通常为 2 至 6。</translation>
+    </message>
+    <message>
+        <source>Degree-day threshold</source>
+        <translation>度日法阈值</translation>
+    </message>
+    <message>
+        <source>Air temperature above which snow melts.</source>
+        <translation>高于此气温时雪融化。</translation>
+    </message>
+    <message>
+        <source>Albedo of new snow</source>
+        <translation>新雪反照率</translation>
+    </message>
+    <message>
+        <source>Share of the sun&apos;s light that new snow sends back.</source>
+        <translation>新雪反射的太阳光比例。</translation>
+    </message>
+    <message>
+        <source>Albedo of old snow</source>
+        <translation>旧雪反照率</translation>
+    </message>
+    <message>
+        <source>What the albedo of ageing snow falls to.</source>
+        <translation>老化的雪的反照率最终降到的值。</translation>
+    </message>
+    <message>
+        <source>Height of the wind</source>
+        <translation>测风高度</translation>
+    </message>
+    <message>
+        <source>Above ground, at which the wind is measured.</source>
+        <translation>测量风速处的离地高度。</translation>
+    </message>
+    <message>
+        <source>Height of the temperature</source>
+        <translation>测温高度</translation>
+    </message>
+    <message>
+        <source>Above ground, at which temperature and humidity are.</source>
+        <translation>温度和湿度所对应的离地高度。</translation>
+    </message>
+    <message>
+        <source>Slopes and shadow</source>
+        <translation>坡面与阴影</translation>
+    </message>
+    <message>
+        <source>Sun and sky count by slope, aspect and horizon; off: everything lies level and open.</source>
+        <translation>太阳和天空的作用按坡度、坡向和地平线计算；关闭：一切视为水平且开阔。</translation>
+    </message>
+    <message>
+        <source>Horizon reach</source>
+        <translation>地平线范围</translation>
+    </message>
+    <message>
+        <source>How far away mountains cast shadow.</source>
+        <translation>山体投下阴影的最远距离。</translation>
+    </message>
+    <message>
+        <source>Place in local metres: east, north; it lies on the ground.</source>
+        <translation>局部坐标位置（米）：东、北；位于地面上。</translation>
+    </message>
+    <message>
+        <source>How far it warms; the heat fades towards the edge.</source>
+        <translation>加热的范围；热量向边缘减弱。</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>功率</translation>
+    </message>
+    <message>
+        <source>Heat that goes into the ground at the centre; 100 W/m² melts 26 mm of water a day.</source>
+        <translation>中心处传入地面的热量；100 W/m² 每天融化 26 mm 水当量。</translation>
+    </message>
+    <message>
+        <source>Snow cover</source>
+        <translation>积雪</translation>
+    </message>
+    <message>
+        <source>How lying snow settles, ages and melts.</source>
+        <translation>地面积雪如何沉降、老化和融化。</translation>
+    </message>
+    <message>
+        <source>Heat source</source>
+        <translation>热源</translation>
+    </message>
+    <message>
+        <source>Warm ground on which less snow stays.</source>
+        <translation>温暖的地面，留存的雪较少。</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>射线</translation>
+    </message>
+    <message>
+        <source>Occlusion maps</source>
+        <translation>遮挡图</translation>
+    </message>
+    <message>
+        <source>Shelter by</source>
+        <translation>遮挡算法</translation>
+    </message>
+    <message>
+        <source>Rays: exact but for the number of rays. Maps: pictures of the scene along a few directions of fall, quicker with many triangles and moving things, and a little coarse at edges.</source>
+        <translation>射线：除射线数量有限外是精确的。遮挡图：沿若干下落方向绘制的场景图像，三角形多、有运动物体时更快，边缘略粗糙。</translation>
+    </message>
+    <message>
+        <source>Map directions</source>
+        <translation>遮挡图方向数</translation>
+    </message>
+    <message>
+        <source>Directions of fall that maps are drawn for; few give stepped edges of shelter.</source>
+        <translation>绘制遮挡图的下落方向数量；太少会使遮挡边缘呈阶梯状。</translation>
+    </message>
+    <message>
+        <source>Map size</source>
+        <translation>遮挡图大小</translation>
+    </message>
+    <message>
+        <source>Texels along a map at most; small ground takes as many as half a cell asks for.</source>
+        <translation>遮挡图每边的最大纹素数；较小的地面按每纹素半个网格取用。</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>表面</translation>
+    </message>
+    <message>
+        <source>What the snow lies on: how well it conducts heat, how dark it is.</source>
+        <translation>雪所覆盖的表面：导热性如何，颜色有多深。</translation>
+    </message>
+    <message>
+        <source>Heat</source>
+        <translation>热量</translation>
+    </message>
+    <message>
+        <source>Heat that comes up through the surface: 10 for a house, 100 melts 26 mm of water a day.</source>
+        <translation>从下方穿过表面的热量：房屋为 10；100 每天融化 26 mm 水当量。</translation>
+    </message>
+    <message>
+        <source>Dusting</source>
+        <translation>薄雪</translation>
+    </message>
+    <message>
+        <source>In pictures, how much of the snow of the ground beside it shows on what faces up: for trees and small things in great numbers that catch no snow of their own.</source>
+        <translation>图像中朝上的部分显示旁边地面积雪的多少：用于自身不承接积雪的树木和大量小物体。</translation>
+    </message>
+    <message>
+        <source>Fine cover round it</source>
+        <translation>周围精细积雪</translation>
+    </message>
+    <message>
+        <source>The ground round the model has small cover cells, so that lee and eaves show; off for what stands far away or in great numbers.</source>
+        <translation>模型周围的地面使用小的积雪网格，以显现背风处和屋檐；远处或大量的物体请关闭。</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>副本</translation>
+    </message>
+    <message>
+        <source>Places (east, north) at which the model stands once more.</source>
+        <translation>模型再次放置的位置（东、北）。</translation>
+    </message>
+    <message>
+        <source>Turn of copies</source>
+        <translation>副本旋转</translation>
+    </message>
+    <message>
+        <source>Range within which copies are turned at random.</source>
+        <translation>副本随机旋转的范围。</translation>
+    </message>
+    <message>
+        <source>Size of copies</source>
+        <translation>副本大小</translation>
+    </message>
+    <message>
+        <source>Share by which copies are larger or smaller at random: 0.2 gives 0.8 to 1.2.</source>
+        <translation>副本随机放大或缩小的比例：0.2 得到 0.8 至 1.2。</translation>
+    </message>
+    <message>
+        <source>Seed of copies</source>
+        <translation>副本随机种子</translation>
+    </message>
+    <message>
+        <source>Another number turns and scales the copies otherwise.</source>
+        <translation>换一个数会使副本的旋转和缩放不同。</translation>
+    </message>
+    <message>
+        <source>Always snow</source>
+        <translation>始终为雪</translation>
+    </message>
+    <message>
+        <source>Snow or rain by temperature</source>
+        <translation>按温度为雪或雨</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>As in pictures</source>
+        <translation>与图像一致</translation>
+    </message>
+    <message>
+        <source>By date</source>
+        <translation>按日期</translation>
+    </message>
+    <message>
+        <source>Falls as</source>
+        <translation>降水形态</translation>
+    </message>
+    <message>
+        <source>Snow whatever the air&apos;s temperature, or at every place what its air and humidity make of it.</source>
+        <translation>无论气温如何都为雪，或在各处由当地的气温和湿度决定。</translation>
+    </message>
+    <message>
+        <source>Humidity</source>
+        <translation>湿度</translation>
+    </message>
+    <message>
+        <source>Relative humidity of the air; dry air lets snow vanish without melting.</source>
+        <translation>空气的相对湿度；干燥的空气使雪不经融化而消失。</translation>
+    </message>
+    <message>
+        <source>Station record</source>
+        <translation>气象站记录</translation>
+    </message>
+    <message>
+        <source>Text file of a weather station, a row per step: year, month, day, hour (UTC), shortwave and longwave W/m2, snowfall and rainfall kg/(m2 s), air temperature K, humidity %, wind m/s, pressure Pa. It replaces the values above but the wind&apos;s direction and the speed that tilts the fall.</source>
+        <translation>气象站的文本文件，每步一行：年、月、日、时（UTC），短波和长波辐射 W/m2，降雪和降雨 kg/(m2 s)，气温 K，湿度 %，风速 m/s，气压 Pa。它替换上面的值，但风向和使降雪倾斜的风速除外。</translation>
+    </message>
+    <message>
+        <source>Film begins</source>
+        <translation>影片开始</translation>
+    </message>
+    <message>
+        <source>Date and time (UTC) at which the film begins, as 2005-10-01 00:00. Empty: at the begin of the station record.</source>
+        <translation>影片开始的日期和时间（UTC），格式如 2005-10-01 00:00。留空：从气象站记录的起点开始。</translation>
+    </message>
+    <message>
+        <source>Sun that melts</source>
+        <translation>融雪的太阳</translation>
+    </message>
+    <message>
+        <source>None: as at night or under the thickest cloud. As in pictures: the sun that azimuth and elevation set. By date: where date and place put it, with day, season and the shadow of mountains.</source>
+        <translation>无：如夜间或最厚的云层之下。与图像一致：由方位角和高度角设定的太阳。按日期：由日期和地点决定位置，含昼夜、季节和山体阴影。</translation>
+    </message>
+    <message>
+        <source>Sun of the date lights</source>
+        <translation>以日期的太阳照明</translation>
+    </message>
+    <message>
+        <source>Pictures have the sun of date and place, nights too; off: azimuth and elevation.</source>
+        <translation>图像使用日期和地点对应的太阳，也有夜晚；关闭：使用方位角和高度角。</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>纬度</translation>
+    </message>
+    <message>
+        <source>Of the scene, north positive; for the sun.</source>
+        <translation>场景的纬度，北纬为正；用于太阳。</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>经度</translation>
+    </message>
+    <message>
+        <source>Of the scene, east positive; for the sun.</source>
+        <translation>场景的经度，东经为正；用于太阳。</translation>
+    </message>
+    <message>
+        <source>Weather of an altitude</source>
+        <translation>指定海拔的天气</translation>
+    </message>
+    <message>
+        <source>The weather was measured at the altitude below; off: at the terrain&apos;s lowest point.</source>
+        <translation>天气在下面的海拔处测得；关闭：在地形的最低点。</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <translation>海拔</translation>
+    </message>
+    <message>
+        <source>Height above sea level at which the weather was measured.</source>
+        <translation>测量天气处的海拔高度。</translation>
+    </message>
+    <message>
+        <source>Cooling upwards</source>
+        <translation>气温随高度递减</translation>
+    </message>
+    <message>
+        <source>How much colder the air is higher up; 6.5 K/km is usual, 0 gives one temperature.</source>
+        <translation>空气随高度变冷的程度；通常为 6.5 K/km，0 表示各处温度相同。</translation>
+    </message>
+    <message>
+        <source>More precipitation upwards</source>
+        <translation>降水随高度递增</translation>
+    </message>
+    <message>
+        <source>How much more falls higher up, as a share of what falls where the weather was measured.</source>
+        <translation>高处降水增加的量，以天气测量处降水量的比例表示。</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>
@@ -1844,6 +2176,14 @@
     <message>
         <source>No file is chosen for %1.</source>
         <translation>没有为 %1 选择文件。</translation>
+    </message>
+    <message>
+        <source>The film&apos;s begin is no date. Write it as 2005-10-01 00:00 (UTC).</source>
+        <translation>影片开始不是日期。请写成 2005-10-01 00:00（UTC）。</translation>
+    </message>
+    <message>
+        <source>The sun needs a date: it stands still until the film&apos;s begin is set.</source>
+        <translation>太阳需要日期：设定影片开始之前它静止不动。</translation>
     </message>
 </context>
 <context>
