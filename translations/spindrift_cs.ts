@@ -2142,6 +2142,58 @@
         <source>How much more falls higher up, as a share of what falls where the weather was measured.</source>
         <translation>O kolik více padá výše, jako podíl toho, co padá v místě měření počasí.</translation>
     </message>
+    <message>
+        <source>Snow slides</source>
+        <translation>Sníh sjíždí</translation>
+    </message>
+    <message>
+        <source>Snow that lies steeper than its angle of repose moves down, off roofs too.</source>
+        <translation>Sníh, který leží strměji, než je jeho sypný úhel, sjede dolů, i ze střech.</translation>
+    </message>
+    <message>
+        <source>Repose of dry snow</source>
+        <translation>Sypný úhel suchého sněhu</translation>
+    </message>
+    <message>
+        <source>Steepest slope that loose dry snow keeps.</source>
+        <translation>Nejstrmější svah, na kterém se sypký suchý sníh udrží.</translation>
+    </message>
+    <message>
+        <source>Repose of slush</source>
+        <translation>Sypný úhel břečky</translation>
+    </message>
+    <message>
+        <source>Steepest slope that snow with 15 % of liquid water by volume keeps; moist snow with less than 3 % keeps what dry snow does.</source>
+        <translation>Nejstrmější svah, na kterém se udrží sníh s 15 % objemu kapalné vody; vlhký sníh s méně než 3 % drží stejně jako suchý.</translation>
+    </message>
+    <message>
+        <source>Width of hollows in the snow&apos;s surface that fill within a day; 0 keeps them.</source>
+        <translation>Šířka prohlubní v povrchu sněhu, které se během dne vyplní; 0 je ponechá.</translation>
+    </message>
+    <message>
+        <source>Snow drifts</source>
+        <translation>Vítr přenáší sníh</translation>
+    </message>
+    <message>
+        <source>The wind carries snow along the ground: it takes it up where it speeds up and lays it down in the lee.</source>
+        <translation>Vítr nese sníh při zemi: bere ho tam, kde zrychluje, a ukládá ho v závětří.</translation>
+    </message>
+    <message>
+        <source>Drifts from</source>
+        <translation>Přenáší od</translation>
+    </message>
+    <message>
+        <source>Wind 10 m above ground from which snow drifts. 0 takes it from air temperature, wetness and density.</source>
+        <translation>Vítr 10 m nad zemí, od kterého se sníh přenáší. 0 jej určí z teploty vzduchu, vlhkosti a hustoty sněhu.</translation>
+    </message>
+    <message>
+        <source>Drift over the border</source>
+        <translation>Přenos přes okraj</translation>
+    </message>
+    <message>
+        <source>Share of what the wind can carry that blows in over the scene&apos;s windward border: 1 where the snow goes on beyond it, 0 where nothing comes.</source>
+        <translation>Podíl toho, co vítr unese, který přivane přes návětrný okraj scény: 1, kde sníh pokračuje i za ním, 0, kde nic nepřichází.</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>

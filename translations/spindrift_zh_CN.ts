@@ -2142,6 +2142,58 @@
         <source>How much more falls higher up, as a share of what falls where the weather was measured.</source>
         <translation>高处降水增加的量，以天气测量处降水量的比例表示。</translation>
     </message>
+    <message>
+        <source>Snow slides</source>
+        <translation>积雪滑落</translation>
+    </message>
+    <message>
+        <source>Snow that lies steeper than its angle of repose moves down, off roofs too.</source>
+        <translation>比休止角更陡的积雪会向下滑落，屋顶上的也是。</translation>
+    </message>
+    <message>
+        <source>Repose of dry snow</source>
+        <translation>干雪休止角</translation>
+    </message>
+    <message>
+        <source>Steepest slope that loose dry snow keeps.</source>
+        <translation>松散干雪能保持的最陡坡度。</translation>
+    </message>
+    <message>
+        <source>Repose of slush</source>
+        <translation>雪浆休止角</translation>
+    </message>
+    <message>
+        <source>Steepest slope that snow with 15 % of liquid water by volume keeps; moist snow with less than 3 % keeps what dry snow does.</source>
+        <translation>液态水占体积 15% 的雪能保持的最陡坡度；低于 3% 的潮雪与干雪相同。</translation>
+    </message>
+    <message>
+        <source>Width of hollows in the snow&apos;s surface that fill within a day; 0 keeps them.</source>
+        <translation>雪面上一天之内被填平的凹陷的宽度；0 表示保留凹陷。</translation>
+    </message>
+    <message>
+        <source>Snow drifts</source>
+        <translation>风吹雪</translation>
+    </message>
+    <message>
+        <source>The wind carries snow along the ground: it takes it up where it speeds up and lays it down in the lee.</source>
+        <translation>风沿地面搬运积雪：在风加速处带走，在背风处堆积。</translation>
+    </message>
+    <message>
+        <source>Drifts from</source>
+        <translation>起动风速</translation>
+    </message>
+    <message>
+        <source>Wind 10 m above ground from which snow drifts. 0 takes it from air temperature, wetness and density.</source>
+        <translation>积雪开始被吹动的地面以上 10 米处风速。0 表示由气温、湿度和密度决定。</translation>
+    </message>
+    <message>
+        <source>Drift over the border</source>
+        <translation>边界吹入量</translation>
+    </message>
+    <message>
+        <source>Share of what the wind can carry that blows in over the scene&apos;s windward border: 1 where the snow goes on beyond it, 0 where nothing comes.</source>
+        <translation>从场景迎风边界吹入的雪占风所能搬运量的比例：1 表示边界外也有积雪，0 表示没有雪吹入。</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>

@@ -65,7 +65,7 @@ class Storm {
     ground.graph = std::make_shared<const CoverGraph>(makeCoverGraph(*m_ground, &*standing));
     ground.depth.assign(ground.graph->size(), 0.0);
     ground.swe = ground.depth;
-    m_obstacles = makeWindObstacles(scene, *m_ground, *standing);
+    m_obstacles = makeWindObstacles(scene, *m_ground, standing->models);
     const auto start = std::chrono::steady_clock::now();
     auto field = WindField::make(scene.terrain->heights, m_obstacles.tops, {}, m_backend);
     SPIN_CHECK(field.ok(), "the valley has ground");

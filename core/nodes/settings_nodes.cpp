@@ -154,6 +154,47 @@ constexpr PropertyRow kSimulationRows[] = {
                                              SPIN_TR("Unevenness of the cover; its mean is zero."))
         .in(Unit::Factor)
         .range(0, 0.5, 0.01),
+    property<&SimulationNode::snowSlides>(
+        "snow_slides", SPIN_TR("Snow slides"),
+        SPIN_TR("Snow that lies steeper than its angle of repose moves down, off roofs too.")),
+    property<&SimulationNode::reposeDryDegrees>("repose_dry_deg", SPIN_TR("Repose of dry snow"),
+                                                SPIN_TR("Steepest slope that loose dry snow keeps."))
+        .in(Unit::Degree)
+        .range(5, 80, 1)
+        .animated(),
+    property<&SimulationNode::reposeWetDegrees>(
+        "repose_wet_deg", SPIN_TR("Repose of slush"),
+        SPIN_TR(
+            "Steepest slope that snow with 15 % of liquid water by volume keeps; moist snow with less than "
+            "3 % keeps what dry snow does."))
+        .in(Unit::Degree)
+        .range(1, 80, 1)
+        .animated(),
+    property<&SimulationNode::smoothingWidth>(
+        "snow_smoothing_m", SPIN_TR("Smoothing"),
+        SPIN_TR("Width of hollows in the snow's surface that fill within a day; 0 keeps them."))
+        .in(Unit::Metre)
+        .range(0, 10, 0.05),
+    property<&SimulationNode::snowDrifts>(
+        "snow_drift", SPIN_TR("Snow drifts"),
+        SPIN_TR(
+            "The wind carries snow along the ground: it takes it up where it speeds up and lays it down in "
+            "the lee."))
+        .animated(),
+    property<&SimulationNode::driftThresholdWind>(
+        "drift_threshold_m_s", SPIN_TR("Drifts from"),
+        SPIN_TR("Wind 10 m above ground from which snow drifts. 0 takes it from air temperature, wetness and "
+                "density."))
+        .in(Unit::MetrePerSecond)
+        .range(0, 60, 0.5)
+        .animated(),
+    property<&SimulationNode::driftInflow>(
+        "drift_inflow", SPIN_TR("Drift over the border"),
+        SPIN_TR(
+            "Share of what the wind can carry that blows in over the scene's windward border: 1 where the "
+            "snow goes on beyond it, 0 where nothing comes."))
+        .in(Unit::Factor)
+        .range(0, 1, 0.1),
     property<&SimulationNode::checkpointInterval>(
         "checkpoint_interval", SPIN_TR("Checkpoint every"),
         SPIN_TR("Frames between full saves of the state, from which an edit restarts."))

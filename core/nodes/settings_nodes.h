@@ -66,6 +66,13 @@ struct SimulationNode : NodeData {
   double holdsBelowDegrees = 30;  ///< slopes flatter than this keep all snow
   double shedsAboveDegrees = 60;  ///< slopes steeper than this keep none
   double exposureNoise = 0.1;     ///< amplitude of the unevenness of the cover
+  bool snowSlides = true;         ///< snow steeper than its angle of repose moves down
+  double reposeDryDegrees = 38;   ///< angle of repose of dry snow
+  double reposeWetDegrees = 20;   ///< of slush
+  double smoothingWidth = 0.1;    ///< m: hollows of this width fill in a day
+  bool snowDrifts = true;         ///< the wind carries snow along the ground
+  double driftThresholdWind = 0;  ///< m/s, 10 m up; 0 = by air temperature and the snow
+  double driftInflow = 1.0;       ///< share of what the wind can carry that blows in over the border
   int checkpointInterval = 24;    ///< frames
   bool pauseSnow = false;         ///< snowfall and cover stand still
   bool pauseFlow = false;         ///< avalanches, water and bodies stand still

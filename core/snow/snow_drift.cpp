@@ -131,9 +131,7 @@ class SnowDrift::Run {
       const double wanted = (carried - arriving) * -std::expm1(-way / m_settings->fetch);
       takeUp(cell, area, wanted);
     } else if (arriving > carried) {
-      const double reach = std::max(m_settings->leastSettling,
-                                    m_settings->settling * windOfFriction(friction, m_settings->roughness));
-      layDown(cell, area, (1.0 - carried / arriving) * -std::expm1(-way / reach));
+      layDown(cell, area, (1.0 - carried / arriving) * -std::expm1(-way / m_settings->settlingWay));
     }
     handOn(grid, cell, width);
   }

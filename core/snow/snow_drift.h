@@ -14,10 +14,10 @@ namespace spin {
 struct DriftSettings {
   double roughness = 0.01;  ///< m, that goes with the friction velocities
   double fetch =
-      500.0 / 3.0;         ///< m in which transport grows to all but 1/e of its limit (Liston and Sturm 1998)
-  double settling = 0.35;  ///< s times the wind 10 m up: way in which a surplus falls out; half of it is
-                           ///< carried below some 0.15 m and falls at 0.4 m/s (Pomeroy and Male 1992)
-  double leastSettling = 1.0;  ///< m, at the least: a hop of saltation
+      500.0 / 3.0;  ///< m in which transport grows to all but 1/e of its limit (Liston and Sturm 1998)
+  /// m in which a surplus falls out but for 1/e. Half of what drifts is carried below some 0.15 m and falls
+  /// at 0.4 m/s (Pomeroy and Male 1992): 0.35 s times the wind 10 m up.
+  double settlingWay = 5.0;
   /// What blows in over the domain's windward borders, as a share of what the border cells' wind can carry:
   /// 1 = the land goes on alike, 0 = none.
   double inflow = 1.0;

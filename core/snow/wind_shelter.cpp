@@ -83,7 +83,7 @@ double HeightPyramid::highest(double x, double y, double size) const {
 }
 
 WindObstacles makeWindObstacles(const SceneSnapshot& snapshot, const SnowGround& ground,
-                                const SnowScene& scene) {
+                                const std::vector<StandingModel>& models) {
   WindObstacles obstacles;
   for (const TerrainGrid& terrain : ground.terrain) {
     if (terrain.refinement == 0) {
@@ -92,7 +92,7 @@ WindObstacles makeWindObstacles(const SceneSnapshot& snapshot, const SnowGround&
     }
     const Raster<float>& base = ground.layout->grids[terrain.grid].base;
     ObstacleTops tops = base.sameShape<float>(std::numeric_limits<float>::quiet_NaN());
-    for (const StandingModel& model : scene.models)
+    for (const StandingModel& model : models)
       for (const PlacedTriangle& triangle : model.triangles) {
         std::array<Vec3d, 3> corners;
         for (std::size_t c = 0; c < 3; ++c)

@@ -31,7 +31,7 @@ struct WindObstacles {
   std::vector<HeightPyramid> coarse;  ///< the terrain; empty or one
 };
 WindObstacles makeWindObstacles(const SceneSnapshot& snapshot, const SnowGround& ground,
-                                const SnowScene& scene);
+                                const std::vector<StandingModel>& models);
 
 struct ShelterSettings {
   double reach = 200.0;  ///< m, upwind search (Winstral et al. 2002: 100 to 300 m)

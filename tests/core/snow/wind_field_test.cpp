@@ -165,7 +165,7 @@ struct Fence {
     ground = makeSnowGround(scene);
     const auto standing = makeSnowScene(scene, *ground, 0.0, makeBvhRayScene);
     graph = makeCoverGraph(*ground, &*standing);
-    obstacles = makeWindObstacles(scene, *ground, *standing);
+    obstacles = makeWindObstacles(scene, *ground, standing->models);
   }
   /// Cell of the fine grid that a place lies in.
   std::uint32_t cellAt(double x, double y) const {
