@@ -27,6 +27,7 @@ SceneSnapshot slopeScene(double degrees, double spreadDegrees) {
   options.simulation.exposureNoise = 0.0;
   options.simulation.holdsBelowDegrees = options.simulation.shedsAboveDegrees =
       90.0;  // all that arrives stays
+  options.simulation.snowSlides = false;
   options.simulation.newSnowDensity = kDensity;
   SceneSnapshot scene = snowBenchSnapshot(options);
   auto terrain = std::make_shared<TerrainData>(*scene.terrain);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "core/base/log.h"
 #include "core/nodes/settings_nodes.h"
@@ -11,6 +12,7 @@
 #include "core/snow/cover_cells.h"
 #include "core/snow/exposure_process.h"
 #include "core/snow/snow_inputs.h"
+#include "core/snow/snow_motion.h"
 #include "core/snow/snow_processes.h"
 
 namespace spin {
@@ -26,6 +28,10 @@ struct Account {
   double melted = 0.0, refrozen = 0.0;  ///< within the cover
   double clamped = 0.0;                 ///< growth that the published law asked for and did not get
   double guardedSeconds = 0.0;          ///< m2 s at that law's pole
+  double blownIn = 0.0, blownOut = 0.0, slidOut = 0.0;  ///< over the domain's borders along the ground
+  double slid = 0.0, roofShed = 0.0, drifted = 0.0;  ///< within the cover: from cells, off models, taken up
+  double waited = 0.0;                               ///< s of weather since the snow last moved
+  double unsettled = 0.0;                            ///< cells that were still too steep then
 };
 
 /// A date that cannot be read is an error; a film that outlasts its record is worth a word.
@@ -145,6 +151,30 @@ class CoverProcess final : public Process {
     m_account.refrozen += totals[SnowStepTotals::kRefrozen];
     m_account.clamped += totals[SnowStepTotals::kClampedGrowth];
     m_account.guardedSeconds += totals[SnowStepTotals::kGuardedArea] * span.seconds();
+    m_account.waited += span.seconds();
+    if (!m_cells->waits()) moveSnow(scene, span.middleFilm(), context);
+  }
+
+  /// Slides, smoothing and drift over the time since they were last done.
+  void moveSnow(const SceneSnapshot& scene, double filmTime, ProcessContext& context) {
+    const auto* motion = context.exchange.find<SnowMotionPointer>();
+    const MotionSettings settings = motionSettings(scene, filmTime);
+    const double seconds = std::exchange(m_account.waited, 0.0);
+    if (!motion || !(*motion)->placed() || !settings.moves()) return;
+    const CoverCells::Moving before = m_cells->moving();
+    CoverCells::Moving after = before;
+    MovingSnow snow;
+    snow.carried = {after.depth.data(), after.mass.data(), after.liquid.data(), after.heat.data()};
+    snow.liquid = after.liquid.data();
+    const MotionTotals totals = (*motion)->step(scene, settings, seconds, snow, context.backend);
+    m_cells->move(before, after, context.backend);
+    m_account.blownIn += totals.blownIn[snow.mass];
+    m_account.blownOut += totals.blownOut[snow.mass];
+    m_account.slidOut += totals.slidOut[snow.mass];
+    m_account.slid += totals.slid[snow.mass];
+    m_account.roofShed += totals.shed[snow.mass];
+    m_account.drifted += totals.eroded[snow.mass];
+    m_account.unsettled = static_cast<double>(totals.unsettled);
   }
 
   static double newSnowDensityOf(const SceneSnapshot& scene, const SnowStepWeather& weather, double film) {
@@ -183,7 +213,10 @@ class CoverProcess final : public Process {
     info.budget.set("emitted", true, m_account.emitted);
     if (m_account.before > 0.0) info.budget.set("fallen_before", true, m_account.before);
     if (m_account.gained != 0.0) info.budget.set("altitude_gain", true, m_account.gained);
+    if (m_account.blownIn > 0.0) info.budget.set("drifted_in", true, m_account.blownIn);
     info.budget.set("deposited", false, deposited);
+    if (m_account.blownOut > 0.0) info.budget.set("drifted_out", false, m_account.blownOut);
+    if (m_account.slidOut > 0.0) info.budget.set("slid_out", false, m_account.slidOut);
     if (m_account.cleared != 0.0) info.budget.set("cleared", false, m_account.cleared);
     if (m_account.runoff != 0.0) info.budget.set("runoff", false, m_account.runoff);
     if (m_account.sublimated != 0.0) info.budget.set("sublimated", false, m_account.sublimated);
@@ -193,6 +226,10 @@ class CoverProcess final : public Process {
     info.budget.set("sampling_residual", false, m_account.residual);
     if (m_account.melted > 0.0) info.figures["melted_kg"] = m_account.melted;
     if (m_account.refrozen > 0.0) info.figures["refrozen_kg"] = m_account.refrozen;
+    if (m_account.slid > 0.0) info.figures["slid_kg"] = m_account.slid;
+    if (m_account.roofShed > 0.0) info.figures["slid_off_models_kg"] = m_account.roofShed;
+    if (m_account.drifted > 0.0) info.figures["taken_up_by_wind_kg"] = m_account.drifted;
+    if (m_account.unsettled > 0.0) info.figures["cells_still_sliding"] = m_account.unsettled;
     if (m_account.clamped > 0.0) info.figures["published_law_growth_refused_kg"] = m_account.clamped;
     if (m_account.guardedSeconds > 0.0)
       info.figures["published_law_guarded_m2_h"] = m_account.guardedSeconds / 3600.0;

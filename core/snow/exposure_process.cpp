@@ -5,6 +5,7 @@
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
 #include "core/snow/snow_inputs.h"
+#include "core/snow/snow_motion.h"
 #include "core/snow/snow_processes.h"
 
 namespace spin {
@@ -29,16 +30,23 @@ ExposureSettings exposureSettings(const SceneSnapshot& scene, double filmTime) {
 
 namespace {
 
-Hash128 keyOf(const ExposureSettings& settings, const SceneSnapshot& scene, double filmTime) {
+/// Where the models stand.
+Hash128 placesOf(const SceneSnapshot& scene, double filmTime) {
   Hasher hasher;
-  const Vec3d& mean = settings.cone.frame.n;
-  hasher.add(mean.x).add(mean.y).add(mean.z).add(settings.cone.halfAngle);
   for (const SceneNode* node : scene.all<ModelNode>()) {
     if (!scene.models.count(node->id)) continue;
     const Transform placement = scene.modelTransform(*node, filmTime);
     for (const double value : placement.linear) hasher.add(value);
     hasher.add(placement.translation.x).add(placement.translation.y).add(placement.translation.z);
   }
+  return hasher.digest();
+}
+
+Hash128 keyOf(const ExposureSettings& settings, const SceneSnapshot& scene, double filmTime) {
+  Hasher hasher;
+  const Vec3d& mean = settings.cone.frame.n;
+  hasher.add(mean.x).add(mean.y).add(mean.z).add(settings.cone.halfAngle);
+  hasher.add(placesOf(scene, filmTime));
   return hasher.digest();
 }
 
@@ -87,6 +95,8 @@ class ExposureProcess final : public Process {
   void prepare(const SceneSnapshot& scene, ProcessContext& context) {
     m_field = nullptr;
     m_key = {};
+    m_motion = std::make_shared<SnowMotion>();
+    context.exchange.emplace<SnowMotionPointer>(m_motion);
     m_ground = makeSnowGround(scene);
     for (const std::string& message : m_ground->messages) logWarning(message);
     context.exchange.emplace<SnowGroundPointer>(m_ground);
@@ -101,6 +111,12 @@ class ExposureProcess final : public Process {
       return makeSnowScene(scene, *m_ground, filmTime, context.makeRayScene, context.cancel);
     }();
     if (!standing) return cancelledError();
+    const Hash128 places = placesOf(scene, filmTime);
+    if (!m_motion->placed() || !(places == m_places)) {
+      ScopedStage stage(context.backend.timings(), "cover graph");
+      m_motion->place(scene, m_ground, *standing);
+      m_places = places;
+    }
     auto field = makeExposureField(scene, *m_ground, *standing, settings,
                                    {context.backend, context.cancel, context.progress});
     if (!field) return field.error();
@@ -113,6 +129,8 @@ class ExposureProcess final : public Process {
   SnowGroundPointer m_ground;
   ExposureFieldPointer m_field;
   Hash128 m_key;
+  SnowMotionPointer m_motion;
+  Hash128 m_places;  ///< of the models that it was placed for
 };
 
 }  // namespace

@@ -24,6 +24,8 @@ struct MotionSettings {
   ShelterSettings shelter;
   Vec2d wind10{};  ///< m/s, 10 m above level ground
   double airCelsius = 0.0;
+
+  bool moves() const { return slides || drifts || smoothingRate > 0.0; }
 };
 MotionSettings motionSettings(const SceneSnapshot& scene, double filmTime);
 
@@ -75,5 +77,7 @@ class SnowMotion {
   GroundWind m_wind;                 ///< of 1 m/s
   std::optional<int> m_windDegrees;  ///< that it blows to
 };
+
+using SnowMotionPointer = std::shared_ptr<SnowMotion>;
 
 }  // namespace spin

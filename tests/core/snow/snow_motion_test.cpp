@@ -30,6 +30,7 @@ struct Plain {
     build.weather.windSpeed = wind;
     build.weather.windFromDegrees = 270.0;
     build.weather.airTemperature = 268.0;
+    build.simulation.snowSlides = build.simulation.snowDrifts = true;
     ModelNode fence;
     fence.position = {150.0, 60.0, 0.0};
     build.model("fence", test::modelOf(test::sheetMesh({0, -20, 0}, {0, 20, 0}, {0, -20, 2})), fence);
@@ -90,10 +91,38 @@ TEST(SnowMotion, ThreadsAndPlacingAgainChangeNoBit) {
   EXPECT_EQ(0, std::memcmp(one.mass.data(), other.mass.data(), one.mass.size() * sizeof(double)));
 }
 
+TEST(SnowMotion, TheProcessBooksWhatMoves) {
+  TestScene build;
+  build.land(41, 41, 5.0, [](double x, double y) { return 1.1 * std::abs(x - 100.0) + 0.05 * y; });
+  build.simulation.snowSlides = build.simulation.snowDrifts = true;
+  build.simulation.smoothingWidth = 0.2;
+  build.weather.windSpeed = 14.0;
+  for (const CoverLaw law : {CoverLaw::Lies, CoverLaw::EnergyBalance}) {
+    build.cover.law = law;
+    const SceneSnapshot scene = build.build();
+    SnowRun run(scene, makeBvhRayScene);
+    ASSERT_TRUE(run.run(12).ok());
+    const Frame frame = run.frame();
+    EXPECT_LT(std::abs(frame.info.budget.relativeImbalance()), 1e-6);
+    EXPECT_GT(frame.info.figures.at("slid_kg"), 0.0);
+    EXPECT_GT(frame.info.figures.at("taken_up_by_wind_kg"), 0.0);
+    EXPECT_GT(frame.info.budget.get("drifted_out"), 0.0);
+    // A run that goes on from a saved state goes on alike.
+    SnowRun again(scene, makeBvhRayScene);
+    ASSERT_TRUE(again.run(6).ok());
+    const std::vector<char> state = again.save();
+    SnowRun loaded(scene, makeBvhRayScene);
+    ASSERT_TRUE(loaded.load(6, state).ok());
+    for (int f = 6; f < 12; ++f) ASSERT_TRUE(loaded.step().ok());
+    EXPECT_EQ(loaded.save(), run.save());
+  }
+}
+
 TEST(SnowMotion, SlushRunsOffWhereDrySnowLies) {
   TestScene build;
   build.land(41, 41, 5.0, [](double x, double) { return 0.5 * std::abs(x - 100.0); });  // 27 degrees
   build.weather.windSpeed = 0.0;
+  build.simulation.snowSlides = true;
   const SceneSnapshot scene = build.build();
   const SnowGroundPointer ground = makeSnowGround(scene);
   const auto standing = makeSnowScene(scene, *ground, 0.0, makeBvhRayScene);

@@ -44,6 +44,8 @@ struct TestScene {
     snowfall.flakeCount = 100;
     simulation.timeScale = 2400.0;  // 100 s of weather a frame
     simulation.exposureNoise = 0.0;
+    simulation.snowSlides = simulation.snowDrifts = false;
+    simulation.smoothingWidth = 0.0;
     simulation.exposureRays = 16;
     simulation.newSnowDensity = 100.0;
   }
