@@ -19,7 +19,7 @@ struct ExposureTrial {
   std::size_t points = 1000;
   int referenceRays = 65536;     ///< a point; own error at most 0.5 / sqrt(referenceRays)
   std::vector<int> rays = {64};  ///< of the cover, a row each; bars from 64 rays on
-  /// Directions and sizes of occlusion maps to compare too, a row each; their bars are those of rays.
+  /// Directions and sizes of occlusion maps to compare too, a row each, without bars.
   std::vector<std::pair<int, int>> maps = {{16, 1024}};
   /// Draws a like number of points from each kind of cell that the scene has, instead of evenly from all
   /// cells, and tells the error of each kind: coarse terrain near models and far from them, fine terrain,

@@ -59,7 +59,7 @@ TEST_F(ExitCode, BenchMeasuresTheExposureOfAScene) {
   EXPECT_EQ(measured.code, 0) << measured.out << measured.error;
   const auto rows = readBenchJson(test::readFile(folder / "rows.json"));
   ASSERT_TRUE(rows.ok()) << rows.error().text();
-  const BenchRow& row = rows->back();
+  const BenchRow& row = rows->front();
   EXPECT_EQ(row.settings.at("scene"), "tiny.spindrift");
   std::map<std::string, BenchMetric> metrics(row.metrics.begin(), row.metrics.end());
   EXPECT_EQ(metrics.at("rmse").bar, 0.02);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/nodes/settings_nodes.h"
+#include "core/physics/size_spectrum.h"
 #include "editor/render/draw_context.h"
 #include "editor/render/noise_texture.h"
 #include "editor/render/terrain_pass.h"
@@ -88,8 +89,11 @@ TEST(Light, HazeGrowsWithSnowfallAndItsSetting) {
     return lightModel(*scene.build(), 0.0, 0.5).hazeExtinction;
   };
   const double clear = extinction(0.0, 1.0);
-  EXPECT_NEAR(extinction(1e-3, 1.0) - clear, 10.36e-3, 1e-9);
-  EXPECT_NEAR(extinction(1e-3, 0.25) - clear, 0.25 * 10.36e-3, 1e-9);
+  const double grams = 1e3 * makeSizeSpectrum(kUnrimedDendriteAggregate, 1e-3).massConcentration;
+  const double expected = 10.36e-3 * std::pow(grams, 0.7776);
+  EXPECT_GT(expected, 5e-3);
+  EXPECT_NEAR(extinction(1e-3, 1.0) - clear, expected, 1e-9);
+  EXPECT_NEAR(extinction(1e-3, 0.25) - clear, 0.25 * expected, 1e-9);
 }
 
 TEST(Light, FarViewsStayReadable) {

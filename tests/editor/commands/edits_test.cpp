@@ -245,10 +245,10 @@ void EditsTest::eventsNameWhatChanged() {
   std::vector<ChangeEvent> events;
   connect(&document, &SceneDocument::changed, this,
           [&](const ChangeEvent& event) { events.push_back(event); });
-  QVERIFY(edit::setValue(document, "weather", "cloud_cover", 1.0).ok());
+  QVERIFY(edit::setValue(document, "weather", "sun_azimuth_deg", 10.0).ok());
   QCOMPARE(events.size(), 1u);
   QVERIFY(events[0].kind == ChangeKind::Property && events[0].node == "weather");
-  QVERIFY(events[0].property == "cloud_cover" && events[0].affects == Affects::Picture);
+  QVERIFY(events[0].property == "sun_azimuth_deg" && events[0].affects == Affects::Picture);
   document.undoStack()->undo();
   QCOMPARE(events.size(), 2u);
   QVERIFY(edit::renameNode(document, "weather", QStringLiteral("W")).ok());
