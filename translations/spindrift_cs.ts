@@ -1887,8 +1887,8 @@
         <translation>Svahy a stín</translation>
     </message>
     <message>
-        <source>Sun and sky count by slope, aspect and horizon; off: everything lies level and open.</source>
-        <translation>Slunce a obloha se počítají podle sklonu, orientace svahu a obzoru; vypnuto: vše leží vodorovně a otevřeně.</translation>
+        <source>Where a sun melts, it and the sky count by slope, aspect and horizon; off: everything lies level and open.</source>
+        <translation>Kde slunce taví, počítá se s ním i s oblohou podle sklonu, orientace svahu a obzoru; vypnuto: vše leží vodorovně a otevřeně.</translation>
     </message>
     <message>
         <source>Horizon reach</source>

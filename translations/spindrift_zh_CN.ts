@@ -1887,8 +1887,8 @@
         <translation>坡面与阴影</translation>
     </message>
     <message>
-        <source>Sun and sky count by slope, aspect and horizon; off: everything lies level and open.</source>
-        <translation>太阳和天空的作用按坡度、坡向和地平线计算；关闭：一切视为水平且开阔。</translation>
+        <source>Where a sun melts, it and the sky count by slope, aspect and horizon; off: everything lies level and open.</source>
+        <translation>有融雪日照时，太阳和天空的作用按坡度、坡向和地平线计算；关闭：一切视为水平且开阔。</translation>
     </message>
     <message>
         <source>Horizon reach</source>

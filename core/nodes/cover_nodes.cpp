@@ -46,7 +46,8 @@ constexpr PropertyRow kCoverRows[] = {
         .range(1, 100, 0.5),
     property<&SnowCoverNode::slopesAndShadow>(
         "slopes_and_shadow", SPIN_TR("Slopes and shadow"),
-        SPIN_TR("Sun and sky count by slope, aspect and horizon; off: everything lies level and open.")),
+        SPIN_TR("Where a sun melts, it and the sky count by slope, aspect and horizon; off: everything lies "
+                "level and open.")),
     property<&SnowCoverNode::horizonReach>("horizon_reach_m", SPIN_TR("Horizon reach"),
                                            SPIN_TR("How far away mountains cast shadow."))
         .in(Unit::Metre)

@@ -34,6 +34,9 @@ struct Account {
   double unsettled = 0.0;                            ///< cells that were still too steep then
 };
 
+/// Snow moves along the ground after so much weather, s: what falls in it is less than what a slope notices.
+constexpr double kMotionStep = 900.0;
+
 /// A date that cannot be read is an error; a film that outlasts its record is worth a word.
 Status checkDates(const SceneSnapshot& scene) {
   const auto weather = scene.settings<WeatherNode>(0.0);
@@ -152,7 +155,7 @@ class CoverProcess final : public Process {
     m_account.clamped += totals[SnowStepTotals::kClampedGrowth];
     m_account.guardedSeconds += totals[SnowStepTotals::kGuardedArea] * span.seconds();
     m_account.waited += span.seconds();
-    if (!m_cells->waits()) moveSnow(scene, span.middleFilm(), context);
+    if (!m_cells->waits() && m_account.waited >= kMotionStep) moveSnow(scene, span.middleFilm(), context);
   }
 
   /// Slides, smoothing and drift over the time since they were last done.

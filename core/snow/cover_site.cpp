@@ -87,7 +87,8 @@ void CoverSite::addTerrain(const SceneSnapshot& scene, const SnowGround& ground,
   const auto cover = scene.settings<SnowCoverNode>(0.0);
   if (ground.terrain.empty()) return;
   const Raster<float>& heights = scene.terrain->heights;
-  if (cover.slopesAndShadow && cover.law == CoverLaw::EnergyBalance) {
+  const bool sunny = scene.settings<WeatherNode>(0.0).sun != MeltingSun::None;
+  if (cover.slopesAndShadow && sunny && cover.law == CoverLaw::EnergyBalance) {
     ScopedStage stage(backend.timings(), "horizon");
     m_horizon = HorizonMap::make(heights, cover.horizonReach, backend);
     m_horizonCell.assign(size(), kNoHorizon);
