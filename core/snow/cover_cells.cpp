@@ -144,11 +144,10 @@ CoverCells::Moving CoverCells::moving() const {
   for (std::size_t c = 0; c < m_site.size(); ++c) {
     const SnowColumn<float> column = m_cells.column(c);
     now.mass[c] = columnMass(column);
+    now.heat[c] = columnSnowHeat(column);
     for (const SnowLayer<float>& layer : column.snow) {
       now.depth[c] += static_cast<double>(layer.depth);
       now.liquid[c] += static_cast<double>(layer.liquid);
-      now.heat[c] += kIceHeat * static_cast<double>(layer.ice) * static_cast<double>(layer.temperature) +
-                     kFusionHeat * static_cast<double>(layer.liquid);
     }
   }
   return now;

@@ -80,7 +80,7 @@ CoverSite::CoverSite(const SceneSnapshot& scene, const SnowGround& ground, CpuBa
   m_height.assign(size(), 0.0f);
   addTerrain(scene, ground, backend);
   addModels(scene, ground);
-  addHeights(scene, ground);
+  addHeights(scene);
 }
 
 void CoverSite::addTerrain(const SceneSnapshot& scene, const SnowGround& ground, CpuBackend& backend) {
@@ -120,12 +120,10 @@ void CoverSite::addTerrain(const SceneSnapshot& scene, const SnowGround& ground,
 void CoverSite::addModels(const SceneSnapshot& scene, const SnowGround& ground) {
   const double air = coverWeather(scene, {{}, {}}).step.airTemperature;
   for (const ModelGround& model : ground.models) {
-    const auto node = std::find_if(scene.nodes.begin(), scene.nodes.end(),
-                                   [&](const SceneNode& n) { return n.id == model.node; });
-    SPIN_CHECK(node != scene.nodes.end(), "the snow ground is of another scene");
-    const auto evaluated = evaluate(*node, 0.0);
+    const SceneNode& node = nodeOf(scene, model);
+    const auto evaluated = evaluate(node, 0.0);
     const auto surface = static_cast<std::uint8_t>(static_cast<const ModelNode&>(*evaluated).surface);
-    const Vec3d place = scene.modelTransform(*node, 0.0).translation;
+    const Vec3d place = scene.modelTransform(node, 0.0).translation;
     for (const ModelPatch& patch : model.patches) {
       const Raster<float>& base = ground.layout->grids[patch.grid].base;
       for (std::size_t c = 0; c < base.size(); ++c) {
@@ -145,7 +143,7 @@ void CoverSite::addModels(const SceneSnapshot& scene, const SnowGround& ground) 
   }
 }
 
-void CoverSite::addHeights(const SceneSnapshot& scene, const SnowGround&) {
+void CoverSite::addHeights(const SceneSnapshot& scene) {
   const auto weather = scene.settings<WeatherNode>(0.0);
   const double level = weatherLevel(scene);
   if (weather.lapseRate != 0.0) {
@@ -215,10 +213,7 @@ void CoverSite::heat(const SceneSnapshot& scene, double filmTime, SnowCells& cel
   std::vector<float>& heat = cells.setting(kGroundHeat);
   std::fill(heat.begin(), heat.end(), 0.0f);
   for (const ModelGround& model : m_ground.models) {
-    const auto node = std::find_if(scene.nodes.begin(), scene.nodes.end(),
-                                   [&](const SceneNode& n) { return n.id == model.node; });
-    if (node == scene.nodes.end()) continue;
-    const double power = static_cast<const ModelNode&>(*evaluate(*node, filmTime)).heat;
+    const double power = static_cast<const ModelNode&>(*evaluate(nodeOf(scene, model), filmTime)).heat;
     for (const ModelPatch& patch : model.patches)
       std::fill(heat.begin() + static_cast<std::ptrdiff_t>(m_first[patch.grid]),
                 heat.begin() + static_cast<std::ptrdiff_t>(m_first[patch.grid + 1]),

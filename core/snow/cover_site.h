@@ -46,7 +46,7 @@ class CoverSite {
 
   void addTerrain(const SceneSnapshot& scene, const SnowGround& ground, CpuBackend& backend);
   void addModels(const SceneSnapshot& scene, const SnowGround& ground);
-  void addHeights(const SceneSnapshot& scene, const SnowGround& ground);
+  void addHeights(const SceneSnapshot& scene);
   bool inShadow(std::size_t cell, Vec3d towardsSun) const;
 
   const SnowGround& m_ground;

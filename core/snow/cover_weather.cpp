@@ -4,7 +4,7 @@
 
 #include "core/physics/clear_sky.h"
 #include "core/sim/scene_time.h"
-#include "core/snow/snow_weather.h"
+#include "core/sim/scene_weather.h"
 #include "core/snow/station_weather.h"
 
 namespace spin {
@@ -17,15 +17,15 @@ FrameTime between(const FrameTime& a, const FrameTime& b, double share) {
 /// The record that the weather's keyframes make, precipitation split as at their altitude.
 WeatherRecord keyedRecord(const SceneSnapshot& scene, const WeatherNode& weather, const Sun& sun,
                           double film) {
-  const SnowWeather now = snowWeatherAt(scene, film);
+  const AirNow now = airAt(scene, film);
   const double floor = scene.terrain ? scene.terrain->geo.origin.z : 0.0;
   WeatherRecord r;
   r.shortwave = skyShortwave(sun.direction.z, weather.cloudCover);
   r.longwave = skyLongwave(weather.airTemperature, weather.relativeHumidity, weather.cloudCover);
-  r.snowfall = now.precipitation;
+  r.snowfall = now.snowfall;
   r.rainfall = now.rainfall;
-  r.airTemperature = weather.airTemperature;
-  r.relativeHumidity = weather.relativeHumidity;
+  r.airTemperature = now.temperature;
+  r.relativeHumidity = now.relativeHumidity;
   r.wind = weather.windSpeed;
   r.pressure = standardPressure(floor + weatherLevel(scene));
   return r;

@@ -31,11 +31,16 @@ double columnMass(const SnowColumn<float>& column) {
   return mass;
 }
 
-double columnEnergy(const SnowColumn<float>& column, const GroundMaterial& ground) {
+double columnSnowHeat(const SnowColumn<float>& column) {
   double heat = 0.0;
   for (const SnowLayer<float>& layer : column.snow)
     heat += kIceHeat * static_cast<double>(layer.ice) * static_cast<double>(layer.temperature) +
             kFusionHeat * static_cast<double>(layer.liquid);
+  return heat;
+}
+
+double columnEnergy(const SnowColumn<float>& column, const GroundMaterial& ground) {
+  double heat = columnSnowHeat(column);
   for (int i = 0; i < kSoilLayers; ++i)
     heat += static_cast<double>(ground.thickness[i]) * soilEnthalpy(static_cast<double>(column.soil[i]),
                                                                     static_cast<double>(ground.heatCapacity),

@@ -64,6 +64,8 @@ class SnowCells {
 
 /// Snow water equivalent, kg/m2.
 double columnMass(const SnowColumn<float>& column);
+/// Heat in the snow, J/m2, zero for ice at 273.15 K.
+double columnSnowHeat(const SnowColumn<float>& column);
 /// Heat in snow and soil, J/m2.
 double columnEnergy(const SnowColumn<float>& column, const GroundMaterial& ground);
 

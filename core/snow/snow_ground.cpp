@@ -5,12 +5,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check.h"
 #include "core/base/units.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
 #include "core/snow/snow_inputs.h"
 
 namespace spin {
+
+const SceneNode& nodeOf(const SceneSnapshot& scene, const ModelGround& model) {
+  const auto found = std::find_if(scene.nodes.begin(), scene.nodes.end(),
+                                  [&](const SceneNode& n) { return n.id == model.node; });
+  SPIN_CHECK(found != scene.nodes.end(), "the snow ground is of another scene");
+  return *found;
+}
 
 std::vector<PlacedTriangle> placedTriangles(const ModelData& model, const Transform& placement) {
   std::vector<PlacedTriangle> triangles;

@@ -72,6 +72,10 @@ using SnowGroundPointer = std::shared_ptr<const SnowGround>;
 
 SnowGroundPointer makeSnowGround(const SceneSnapshot& scene);
 
+/// The node of a ground's model; the scene must be the one that the ground was made of, or an edit of it that
+/// keeps its models.
+const SceneNode& nodeOf(const SceneSnapshot& scene, const ModelGround& model);
+
 /// All triangles of a model under the linear part of a placement.
 std::vector<PlacedTriangle> placedTriangles(const ModelData& model, const Transform& placement);
 

@@ -25,13 +25,8 @@ void add(std::vector<double>& sums, const std::vector<double>& more) {
 /// Where the models stand at film time 0, for a wind that does not depend on when it is asked for first.
 std::vector<StandingModel> modelsAtStart(const SceneSnapshot& snapshot, const SnowGround& ground) {
   std::vector<StandingModel> models;
-  const auto nodes = snapshot.all<ModelNode>();
-  for (const ModelGround& model : ground.models) {
-    const auto node =
-        std::find_if(nodes.begin(), nodes.end(), [&](const SceneNode* n) { return n->id == model.node; });
-    SPIN_CHECK(node != nodes.end(), "the snow ground is of another scene");
-    models.push_back({snapshot.modelTransform(**node, 0.0), model.triangles, 0});
-  }
+  for (const ModelGround& model : ground.models)
+    models.push_back({snapshot.modelTransform(nodeOf(snapshot, model), 0.0), model.triangles, 0});
   return models;
 }
 

@@ -108,12 +108,8 @@ std::vector<StandingModel> standingModels(const SceneSnapshot& scene, const Snow
                                           double filmTime) {
   std::vector<StandingModel> models;
   for (const ModelGround& model : ground.models) {
-    const auto nodes = scene.all<ModelNode>();
-    const auto node =
-        std::find_if(nodes.begin(), nodes.end(), [&](const SceneNode* n) { return n->id == model.node; });
-    SPIN_CHECK(node != nodes.end(), "the snow ground is of another scene");
     StandingModel standing;
-    standing.placement = scene.modelTransform(**node, filmTime);
+    standing.placement = scene.modelTransform(nodeOf(scene, model), filmTime);
     standing.triangles =
         model.turns ? placedTriangles(*scene.models.at(model.node), standing.placement) : model.triangles;
     models.push_back(std::move(standing));

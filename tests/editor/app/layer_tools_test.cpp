@@ -178,7 +178,10 @@ class LayerToolsTest : public QObject {
     Q_EMIT view.editFinished();
     const int before = f.steps();
     f.window.layers().filter();
-    if (!f.find<FilterDialog>("filterDialog")) QSKIP("no filters are built");
+#ifndef SPIN_HAS_FILTERS
+    QSKIP("no filters are built");
+#endif
+    QVERIFY(f.find<FilterDialog>("filterDialog"));
     f.find<QComboBox>("filterKind")->setCurrentIndex(2);
     f.find<QDoubleSpinBox>("filterRadius")->setValue(8.0);
     f.find<QPushButton>("filterAccept")->click();
