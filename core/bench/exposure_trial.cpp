@@ -223,8 +223,7 @@ Result<std::vector<BenchRow>> compareExposure(const ExposureTrial& trial, const 
   for (const auto& [directions, size] : trial.maps) {
     prepared.settings.mapDirections = directions;
     prepared.settings.mapSize = size;
-    if (const Status status = add(prepared.settings, false); !status)
-      return status.error();
+    if (const Status status = add(prepared.settings, false); !status) return status.error();
   }
   return rows;
 }

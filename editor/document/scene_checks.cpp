@@ -78,7 +78,8 @@ class Checks {
       add(Severity::Error, kWeatherType, "start_utc",
           QT_TRANSLATE_NOOP("SceneChecks",
                             "The film's begin is no date. Write it as 2005-10-01 00:00 (UTC)."));
-    if ((weather.sun == MeltingSun::ByDate || weather.lightByDate) && weather.start.empty() && weather.source.empty())
+    if ((weather.sun == MeltingSun::ByDate || weather.lightByDate) && weather.start.empty() &&
+        weather.source.empty())
       add(Severity::Warning, kWeatherType, "start_utc",
           QT_TRANSLATE_NOOP("SceneChecks",
                             "The sun needs a date: it stands still until the film's begin is set."));

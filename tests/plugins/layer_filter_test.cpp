@@ -17,8 +17,7 @@ Raster<float> sheet(float value) {
 
 class LayerFilters : public ::testing::Test {
  protected:
-  Raster<float> apply(const std::string& id, Raster<float> values, double radius = 3.0,
-                      bool shares = false) {
+  Raster<float> apply(const std::string& id, Raster<float> values, double radius = 3.0, bool shares = false) {
     const LayerFilter* filter = m_host.layerFilter(id);
     EXPECT_NE(filter, nullptr) << id;
     if (!filter) return values;

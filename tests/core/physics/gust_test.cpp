@@ -118,8 +118,8 @@ TEST(Gust, BodiesStayEvenlySpreadAndTheirVelocityIsTheRateOfTheirPlace) {
   }
 }
 
-/// What a flake does in the gusts is what the wind does where it is, the better the weaker they are: waves act
-/// one after the other, so each knows only what those before it have done.
+/// What a flake does in the gusts is what the wind does where it is, the better the weaker they are: waves
+/// act one after the other, so each knows only what those before it have done.
 TEST(Gust, BodiesGoWithTheWindWhereTheyAre) {
   for (const auto& [strength, least] : {std::pair(0.5, 0.8), std::pair(1.5, 0.65)}) {
     double own = 0.0, field = 0.0, both = 0.0;

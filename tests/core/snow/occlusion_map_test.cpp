@@ -132,7 +132,8 @@ TEST(OcclusionMap, ExposureByMapsIsThatByRays) {
   EXPECT_LT(std::sqrt(squares / cells), 0.03);
   EXPECT_NEAR(held / rays->rates.deposited, 1.0, 0.01);
   const std::vector<float>& seen = maps->grids[1].exposure;
-  EXPECT_LT(*std::min_element(seen.begin(), seen.end()), 0.1f) << "the hut shelters the fine ground beside it";
+  EXPECT_LT(*std::min_element(seen.begin(), seen.end()), 0.1f)
+      << "the hut shelters the fine ground beside it";
 }
 
 TEST(OcclusionMap, NothingToDrawIsOpen) {
