@@ -41,7 +41,7 @@ bool writeTiff(const TerrainCover& cover, const TerrainData& terrain, const Fram
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
   const Raster<float>& r = cover.depth;
   const DatasetPointer file(
-      driver ? driver->Create(path.c_str(), r.width, r.height, 2, GDT_Float32, const_cast<char**>(options))
+      driver ? driver->Create(path.c_str(), r.width, r.height, 4, GDT_Float32, const_cast<char**>(options))
              : nullptr);
   if (!file) return false;
   double transform[6];
@@ -54,7 +54,9 @@ bool writeTiff(const TerrainCover& cover, const TerrainData& terrain, const Fram
   file->SetMetadataItem("TIME_FILM_S", fmt::format("{:.9g}", time.film).c_str());
   file->SetMetadataItem("TIME_WEATHER_S", fmt::format("{:.9g}", time.weather).c_str());
   return writeBand(*file, 1, cover.depth, "snow depth", "m") &&
-         writeBand(*file, 2, cover.swe, "snow water equivalent", "kg/m2");
+         writeBand(*file, 2, cover.swe, "snow water equivalent", "kg/m2") &&
+         writeBand(*file, 3, cover.liquid, "liquid water in the snow", "kg/m2") &&
+         writeBand(*file, 4, cover.temperature, "surface temperature", "K");
 }
 
 }  // namespace

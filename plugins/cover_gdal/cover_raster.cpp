@@ -13,6 +13,8 @@ struct Sums {
   double area = 0.0;
   double depth = 0.0;
   double swe = 0.0;
+  double liquid = 0.0;
+  double temperature = 0.0;
 };
 
 bool fits(const CoverGrid& grid, const CoverPart::Values& values) {
@@ -20,8 +22,16 @@ bool fits(const CoverGrid& grid, const CoverPart::Values& values) {
   return grid.area.size() == cells && values.swe.size() == cells && values.depth.size() == cells;
 }
 
+/// The values of a field, or nothing where the frame does not hold it.
+const float* fieldOf(const std::vector<float>& values, std::size_t cells) {
+  return values.size() == cells ? values.data() : nullptr;
+}
+
 void addGrid(const CoverGrid& grid, const CoverPart::Values& values, const Raster<float>& coarse,
              std::vector<Sums>& sums) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const float* liquid = fieldOf(values.liquid, grid.base.size());
+  const float* temperature = fieldOf(values.temperature, grid.base.size());
   for (int j = 0; j < grid.base.height; ++j) {
     for (int i = 0; i < grid.base.width; ++i) {
       const std::size_t cell = grid.base.index(i, j);
@@ -34,6 +44,8 @@ void addGrid(const CoverGrid& grid, const CoverPart::Values& values, const Raste
       to.area += area;
       to.depth += area * static_cast<double>(values.depth[cell]);
       to.swe += area * static_cast<double>(values.swe[cell]);
+      to.liquid += liquid ? area * static_cast<double>(liquid[cell]) : kNone;
+      to.temperature += temperature ? area * static_cast<double>(temperature[cell]) : kNone;
     }
   }
 }
@@ -53,12 +65,14 @@ std::optional<TerrainCover> gatherTerrainCover(const CoverPart& cover) {
     addGrid(grids[g], cover.values[g], coarse->base, sums);
   }
   const float none = std::numeric_limits<float>::quiet_NaN();
-  TerrainCover out{coarse->base.sameShape<float>(none), coarse->base.sameShape<float>(none),
-                   coarse->base.sameShape<float>(0.0f)};
+  const Raster<float> blank = coarse->base.sameShape<float>(none);
+  TerrainCover out{blank, blank, blank, blank, coarse->base.sameShape<float>(0.0f)};
   for (std::size_t c = 0; c < sums.size(); ++c) {
     if (!(sums[c].area > 0.0)) continue;
     out.depth.values[c] = static_cast<float>(sums[c].depth / sums[c].area);
     out.swe.values[c] = static_cast<float>(sums[c].swe / sums[c].area);
+    out.liquid.values[c] = static_cast<float>(sums[c].liquid / sums[c].area);
+    out.temperature.values[c] = static_cast<float>(sums[c].temperature / sums[c].area);
     out.area.values[c] = static_cast<float>(sums[c].area);
   }
   return out;

@@ -50,6 +50,8 @@ CoverScene makeCover() {
       const float swe = 10.0f * static_cast<float>(g + 1) + static_cast<float>(c);
       values.swe.push_back(swe);
       values.depth.push_back(swe / 80.0f);
+      values.liquid.push_back(0.1f * swe);
+      values.temperature.push_back(273.15f - 0.5f * static_cast<float>(c));
       if (g < 2 && !std::isnan(layout->grids[g].base.values[c]))
         out.mass += static_cast<double>(swe) * static_cast<double>(layout->grids[g].area.values[c]);
     }
@@ -98,10 +100,12 @@ TEST_F(CoverExporterTest, LiesOnTheTerrainsCellsInTheWorld) {
   EXPECT_EQ(t[1], 5.0);
   EXPECT_EQ(t[5], -5.0);
   EXPECT_STREQ(file->GetSpatialRef()->GetAuthorityCode(nullptr), "31287");
-  EXPECT_EQ(file->GetRasterCount(), 2);
+  EXPECT_EQ(file->GetRasterCount(), 4);
   EXPECT_STREQ(file->GetRasterBand(1)->GetDescription(), "snow depth");
   EXPECT_STREQ(file->GetRasterBand(1)->GetUnitType(), "m");
   EXPECT_STREQ(file->GetRasterBand(2)->GetUnitType(), "kg/m2");
+  EXPECT_STREQ(file->GetRasterBand(3)->GetUnitType(), "kg/m2");
+  EXPECT_STREQ(file->GetRasterBand(4)->GetUnitType(), "K");
   EXPECT_EQ(file->GetRasterBand(2)->GetNoDataValue(), -9999.0);
   EXPECT_STREQ(file->GetMetadataItem("TIME_WEATHER_S"), "1440");
   EXPECT_STREQ(file->GetMetadataItem("TIFFTAG_COPYRIGHT"), "Data: Land Tirol");
@@ -130,6 +134,29 @@ TEST_F(CoverExporterTest, HoldsTheTerrainsWholeMass) {
       mass += area * static_cast<double>(swe[at(i, j)]);
     }
   EXPECT_NEAR(mass / m_cover.mass, 1.0, 1e-6);
+}
+
+TEST_F(CoverExporterTest, HoldsWaterAndTemperatureWhereTheFrameHasThem) {
+  const auto at = [](int i, int j) { return static_cast<std::size_t>((2 - j) * 4 + i); };
+  const auto bands = [&] {
+    EXPECT_TRUE(m_exporter->writeFrame(m_cover.frame).ok());
+    auto* file = static_cast<GDALDataset*>(GDALOpen(m_folder.file("cover.0012.tif").c_str(), GA_ReadOnly));
+    auto read = std::make_pair(readBand(*file, 3), readBand(*file, 4));
+    GDALClose(file);
+    return read;
+  };
+  const auto [water, temperature] = bands();
+  EXPECT_NEAR(water[at(2, 0)], 1.2, 1e-5);
+  EXPECT_NEAR(temperature[at(2, 0)], 272.15, 1e-3);
+  EXPECT_NEAR(water[at(1, 1)], 2.7, 1e-4) << "the mean over the fine cells";
+  EXPECT_NEAR(temperature[at(1, 1)], 273.15 - 0.5 * 7.0, 1e-3);
+  EXPECT_EQ(water[at(3, 2)], -9999.0f);
+  auto part = std::make_shared<CoverPart>(*m_cover.frame.part<CoverPart>("cover"));
+  for (CoverPart::Values& values : part->values) values.liquid.clear(), values.temperature.clear();
+  m_cover.frame.parts["cover"] = part;
+  const auto [noWater, noTemperature] = bands();
+  EXPECT_EQ(noWater[at(2, 0)], -9999.0f);
+  EXPECT_EQ(noTemperature[at(1, 1)], -9999.0f);
 }
 
 TEST_F(CoverExporterTest, FineCellsBesideTheirCoarseCellLoseNothing) {
@@ -171,7 +198,7 @@ TEST_F(CoverExporterTest, NothingToWriteIsSaid) {
   EXPECT_FALSE(m_exporter->writeFrame(Frame{}).ok());
   EXPECT_FALSE(m_exporter->begin({std::make_shared<SceneSnapshot>(), m_folder.path(), "cover", 0, 1}).ok());
   const auto attributes = m_exporter->attributes();
-  ASSERT_EQ(attributes.size(), 2u);
+  ASSERT_EQ(attributes.size(), 4u);
   EXPECT_EQ(attributes[1].unit, "kg/m2");
 }
 
