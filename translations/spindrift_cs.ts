@@ -2,6 +2,29 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="cs" sourcelanguage="en">
 <context>
+    <name>CoverReading</name>
+    <message>
+        <source>Snow %1</source>
+        <translation>Sníh %1</translation>
+    </message>
+    <message>
+        <source>water %1</source>
+        <translation>voda %1</translation>
+    </message>
+    <message>
+        <source>No snow</source>
+        <translation>Bez sněhu</translation>
+    </message>
+    <message>
+        <source>surface %1</source>
+        <translation>povrch %1</translation>
+    </message>
+    <message>
+        <source>exposure %1</source>
+        <translation>vystavení %1</translation>
+    </message>
+</context>
+<context>
     <name>Edits</name>
     <message>
         <source>Collect files</source>
@@ -1395,10 +1418,6 @@
         <translation>Ukázat legendu</translation>
     </message>
     <message>
-        <source>Print what the colours mean where they stand for values.</source>
-        <translation>Vypsat, co barvy znamenají, kde zastupují hodnoty.</translation>
-    </message>
-    <message>
         <source>Show boundary particles</source>
         <translation>Ukázat hraniční částice</translation>
     </message>
@@ -2193,6 +2212,106 @@
     <message>
         <source>Share of what the wind can carry that blows in over the scene&apos;s windward border: 1 where the snow goes on beyond it, 0 where nothing comes.</source>
         <translation>Podíl toho, co vítr unese, který přivane přes návětrný okraj scény: 1, kde sníh pokračuje i za ním, 0, kde nic nepřichází.</translation>
+    </message>
+    <message>
+        <source>Natural colours</source>
+        <translation>Přirozené barvy</translation>
+    </message>
+    <message>
+        <source>Snow water equivalent</source>
+        <translation>Vodní hodnota sněhu</translation>
+    </message>
+    <message>
+        <source>Snow density</source>
+        <translation>Hustota sněhu</translation>
+    </message>
+    <message>
+        <source>Surface temperature</source>
+        <translation>Teplota povrchu</translation>
+    </message>
+    <message>
+        <source>Liquid water in the snow</source>
+        <translation>Kapalná voda ve sněhu</translation>
+    </message>
+    <message>
+        <source>Exposure to snowfall</source>
+        <translation>Vystavení sněžení</translation>
+    </message>
+    <message>
+        <source>Physically based</source>
+        <translation>Fyzikálně založené</translation>
+    </message>
+    <message>
+        <source>Blinn-Phong, as published</source>
+        <translation>Blinn-Phong, jak byl zveřejněn</translation>
+    </message>
+    <message>
+        <source>Print what the colours of flow and snow mean where they stand for values.</source>
+        <translation>Vytiskne, co znamenají barvy proudu a sněhu tam, kde vyjadřují hodnoty.</translation>
+    </message>
+    <message>
+        <source>Snow shows</source>
+        <translation>Sníh ukazuje</translation>
+    </message>
+    <message>
+        <source>What the colours of the snow cover tell, on the ground and on models. Natural colours draw it as snow; ground that has no value is grey.</source>
+        <translation>Co říkají barvy sněhové pokrývky na zemi a na modelech. Přirozené barvy ji kreslí jako sníh; místa bez hodnoty jsou šedá.</translation>
+    </message>
+    <message>
+        <source>Range of the frame&apos;s snow</source>
+        <translation>Rozsah podle sněhu snímku</translation>
+    </message>
+    <message>
+        <source>Spread the colours over what the frame&apos;s cover has; off takes the range below, the same for all frames.</source>
+        <translation>Rozloží barvy na hodnoty, které má pokrývka snímku; vypnuto použije níže zadaný rozsah, stejný pro všechny snímky.</translation>
+    </message>
+    <message>
+        <source>Snow range from</source>
+        <translation>Rozsah sněhu od</translation>
+    </message>
+    <message>
+        <source>Snow range to</source>
+        <translation>Rozsah sněhu do</translation>
+    </message>
+    <message>
+        <source>Snow shading</source>
+        <translation>Osvětlení sněhu</translation>
+    </message>
+    <message>
+        <source>Physically based snow scatters light below its surface and is bluish in the shade. The published model adds ambient, diffuse and mirrored light, and mixes snow with what lies below by the exposure.</source>
+        <translation>Fyzikálně založený sníh rozptyluje světlo pod povrchem a ve stínu je namodralý. Zveřejněný model sčítá okolní, rozptýlené a zrcadlené světlo a míchá sníh s tím, co je pod ním, podle vystavení.</translation>
+    </message>
+    <message>
+        <source>Ambient reflection</source>
+        <translation>Odraz okolního světla</translation>
+    </message>
+    <message>
+        <source>K_a of the published shading: share of the sky&apos;s light that snow reflects.</source>
+        <translation>K_a zveřejněného osvětlení: podíl světla oblohy, který sníh odráží.</translation>
+    </message>
+    <message>
+        <source>Diffuse reflection</source>
+        <translation>Rozptýlený odraz</translation>
+    </message>
+    <message>
+        <source>K_d of the published shading: share of the sun&apos;s light that snow reflects to all sides.</source>
+        <translation>K_d zveřejněného osvětlení: podíl slunečního světla, který sníh odráží do všech stran.</translation>
+    </message>
+    <message>
+        <source>Mirror reflection</source>
+        <translation>Zrcadlový odraz</translation>
+    </message>
+    <message>
+        <source>K_s of the published shading: share of the sun&apos;s light in the highlight.</source>
+        <translation>K_s zveřejněného osvětlení: podíl slunečního světla v odlesku.</translation>
+    </message>
+    <message>
+        <source>Shininess</source>
+        <translation>Lesklost</translation>
+    </message>
+    <message>
+        <source>n of the published shading: the higher, the smaller the highlight.</source>
+        <translation>n zveřejněného osvětlení: čím vyšší, tím menší odlesk.</translation>
     </message>
 </context>
 <context>
@@ -3547,6 +3666,30 @@
     <message>
         <source>Smooth; pick the value under the pointer</source>
         <translation>Vyhladit; vzít hodnotu pod ukazatelem</translation>
+    </message>
+    <message>
+        <source>&amp;Values under the pointer</source>
+        <translation>&amp;Hodnoty pod ukazatelem</translation>
+    </message>
+    <message>
+        <source>A line at the lower left: depth, mass and temperature of the snow under the pointer, and the type of the ground.</source>
+        <translation>Řádek vlevo dole: výška, hmotnost a teplota sněhu pod ukazatelem a druh povrchu.</translation>
+    </message>
+    <message>
+        <source>Snow s&amp;hows</source>
+        <translation>Sní&amp;h ukazuje</translation>
+    </message>
+    <message>
+        <source>Colours the snow cover by this value, here and in exported pictures; the range of colours is set at the picture settings.</source>
+        <translation>Obarví sněhovou pokrývku touto hodnotou, zde i v exportovaných obrázcích; rozsah barev se nastavuje v nastavení obrázku.</translation>
+    </message>
+    <message>
+        <source>&amp;Published shading (Blinn-Phong)</source>
+        <translation>&amp;Zveřejněné osvětlení (Blinn-Phong)</translation>
+    </message>
+    <message>
+        <source>Lights the snow by ambient, diffuse and mirrored light as published, instead of the physically based way.</source>
+        <translation>Osvětlí sníh okolním, rozptýleným a zrcadleným světlem, jak bylo zveřejněno, místo fyzikálně založeného způsobu.</translation>
     </message>
 </context>
 <context>

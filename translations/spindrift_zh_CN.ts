@@ -2,6 +2,29 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>CoverReading</name>
+    <message>
+        <source>Snow %1</source>
+        <translation>雪 %1</translation>
+    </message>
+    <message>
+        <source>water %1</source>
+        <translation>水 %1</translation>
+    </message>
+    <message>
+        <source>No snow</source>
+        <translation>无雪</translation>
+    </message>
+    <message>
+        <source>surface %1</source>
+        <translation>表面 %1</translation>
+    </message>
+    <message>
+        <source>exposure %1</source>
+        <translation>暴露度 %1</translation>
+    </message>
+</context>
+<context>
     <name>Edits</name>
     <message>
         <source>Collect files</source>
@@ -1395,10 +1418,6 @@
         <translation>显示图例</translation>
     </message>
     <message>
-        <source>Print what the colours mean where they stand for values.</source>
-        <translation>在颜色代表数值时标出其含义。</translation>
-    </message>
-    <message>
         <source>Show boundary particles</source>
         <translation>显示边界粒子</translation>
     </message>
@@ -2193,6 +2212,106 @@
     <message>
         <source>Share of what the wind can carry that blows in over the scene&apos;s windward border: 1 where the snow goes on beyond it, 0 where nothing comes.</source>
         <translation>从场景迎风边界吹入的雪占风所能搬运量的比例：1 表示边界外也有积雪，0 表示没有雪吹入。</translation>
+    </message>
+    <message>
+        <source>Natural colours</source>
+        <translation>自然颜色</translation>
+    </message>
+    <message>
+        <source>Snow water equivalent</source>
+        <translation>雪水当量</translation>
+    </message>
+    <message>
+        <source>Snow density</source>
+        <translation>雪密度</translation>
+    </message>
+    <message>
+        <source>Surface temperature</source>
+        <translation>表面温度</translation>
+    </message>
+    <message>
+        <source>Liquid water in the snow</source>
+        <translation>雪中液态水</translation>
+    </message>
+    <message>
+        <source>Exposure to snowfall</source>
+        <translation>降雪暴露度</translation>
+    </message>
+    <message>
+        <source>Physically based</source>
+        <translation>基于物理</translation>
+    </message>
+    <message>
+        <source>Blinn-Phong, as published</source>
+        <translation>Blinn-Phong(按发表形式)</translation>
+    </message>
+    <message>
+        <source>Print what the colours of flow and snow mean where they stand for values.</source>
+        <translation>在流动和雪的颜色表示数值时,标注其含义。</translation>
+    </message>
+    <message>
+        <source>Snow shows</source>
+        <translation>雪显示</translation>
+    </message>
+    <message>
+        <source>What the colours of the snow cover tell, on the ground and on models. Natural colours draw it as snow; ground that has no value is grey.</source>
+        <translation>地面和模型上积雪的颜色表示什么。自然颜色按雪绘制;没有数值的地面为灰色。</translation>
+    </message>
+    <message>
+        <source>Range of the frame&apos;s snow</source>
+        <translation>按帧内积雪取范围</translation>
+    </message>
+    <message>
+        <source>Spread the colours over what the frame&apos;s cover has; off takes the range below, the same for all frames.</source>
+        <translation>将颜色分布到该帧积雪的取值上;关闭时采用下面的范围,各帧相同。</translation>
+    </message>
+    <message>
+        <source>Snow range from</source>
+        <translation>雪范围下限</translation>
+    </message>
+    <message>
+        <source>Snow range to</source>
+        <translation>雪范围上限</translation>
+    </message>
+    <message>
+        <source>Snow shading</source>
+        <translation>雪的着色</translation>
+    </message>
+    <message>
+        <source>Physically based snow scatters light below its surface and is bluish in the shade. The published model adds ambient, diffuse and mirrored light, and mixes snow with what lies below by the exposure.</source>
+        <translation>基于物理的雪在表面以下散射光线,阴影处偏蓝。发表的模型将环境光、漫反射光和镜面光相加,并按暴露度将雪与其下的物体混合。</translation>
+    </message>
+    <message>
+        <source>Ambient reflection</source>
+        <translation>环境反射</translation>
+    </message>
+    <message>
+        <source>K_a of the published shading: share of the sky&apos;s light that snow reflects.</source>
+        <translation>发表着色中的 K_a:雪反射天空光的比例。</translation>
+    </message>
+    <message>
+        <source>Diffuse reflection</source>
+        <translation>漫反射</translation>
+    </message>
+    <message>
+        <source>K_d of the published shading: share of the sun&apos;s light that snow reflects to all sides.</source>
+        <translation>发表着色中的 K_d:雪向各方向反射太阳光的比例。</translation>
+    </message>
+    <message>
+        <source>Mirror reflection</source>
+        <translation>镜面反射</translation>
+    </message>
+    <message>
+        <source>K_s of the published shading: share of the sun&apos;s light in the highlight.</source>
+        <translation>发表着色中的 K_s:高光中太阳光的比例。</translation>
+    </message>
+    <message>
+        <source>Shininess</source>
+        <translation>光泽度</translation>
+    </message>
+    <message>
+        <source>n of the published shading: the higher, the smaller the highlight.</source>
+        <translation>发表着色中的 n:越大高光越小。</translation>
     </message>
 </context>
 <context>
@@ -3539,6 +3658,30 @@
     <message>
         <source>Smooth; pick the value under the pointer</source>
         <translation>平滑；拾取指针下的数值</translation>
+    </message>
+    <message>
+        <source>&amp;Values under the pointer</source>
+        <translation>指针处的数值(&amp;V)</translation>
+    </message>
+    <message>
+        <source>A line at the lower left: depth, mass and temperature of the snow under the pointer, and the type of the ground.</source>
+        <translation>左下角的一行:指针处积雪的深度、质量和温度,以及地面类型。</translation>
+    </message>
+    <message>
+        <source>Snow s&amp;hows</source>
+        <translation>雪显示(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Colours the snow cover by this value, here and in exported pictures; the range of colours is set at the picture settings.</source>
+        <translation>按此数值为积雪着色,此处和导出的图片相同;颜色范围在图片设置中设定。</translation>
+    </message>
+    <message>
+        <source>&amp;Published shading (Blinn-Phong)</source>
+        <translation>发表的着色 (Blinn-Phong)(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Lights the snow by ambient, diffuse and mirrored light as published, instead of the physically based way.</source>
+        <translation>按发表的方式以环境光、漫反射光和镜面光照亮雪,而非基于物理的方式。</translation>
     </message>
 </context>
 <context>

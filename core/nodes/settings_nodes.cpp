@@ -20,7 +20,22 @@ constinit const std::array<Choice, 10> kFlowDisplayChoices{{
 constinit const std::array<const char*, 3> kFlowClassLabels{
     {SPIN_TR("Within the flow"), SPIN_TR("Isolated"), SPIN_TR("At the surface")}};
 
+constinit const std::array<Choice, 7> kSnowDisplayChoices{{
+    {"natural", SPIN_TR("Natural colours")},
+    {"depth", SPIN_TR("Snow depth")},
+    {"swe", SPIN_TR("Snow water equivalent")},
+    {"density", SPIN_TR("Snow density")},
+    {"temperature", SPIN_TR("Surface temperature")},
+    {"liquid_water", SPIN_TR("Liquid water in the snow")},
+    {"exposure", SPIN_TR("Exposure to snowfall")},
+}};
+
 namespace {
+
+constexpr Choice kSnowShadings[] = {
+    {"physical", SPIN_TR("Physically based")},
+    {"blinn_phong", SPIN_TR("Blinn-Phong, as published")},
+};
 
 constexpr PropertyRow kRenderRows[] = {
     property<&RenderNode::width>("width_px", SPIN_TR("Width"), SPIN_TR("Width of pictures."))
@@ -83,11 +98,67 @@ constexpr PropertyRow kRenderRows[] = {
         SPIN_TR(
             "Each step of colour multiplies the value: for viscosity and shear rate. Needs values above 0."))
         .affecting(Affects::Picture),
-    property<&RenderNode::flowLegend>("flow_legend", SPIN_TR("Show legend"),
-                                      SPIN_TR("Print what the colours mean where they stand for values."))
+    property<&RenderNode::flowLegend>(
+        "flow_legend", SPIN_TR("Show legend"),
+        SPIN_TR("Print what the colours of flow and snow mean where they stand for values."))
         .affecting(Affects::Picture),
     property<&RenderNode::showFlowBoundary>("show_flow_boundary", SPIN_TR("Show boundary particles"),
                                             SPIN_TR("Draw the particles that stand for moving bodies."))
+        .affecting(Affects::Picture),
+    property<&RenderNode::snowDisplay>(
+        "snow_display", SPIN_TR("Snow shows"),
+        SPIN_TR(
+            "What the colours of the snow cover tell, on the ground and on models. Natural colours draw it "
+            "as snow; ground that has no value is grey."))
+        .oneOf(kSnowDisplayChoices)
+        .affecting(Affects::Picture),
+    property<&RenderNode::snowRangeAuto>(
+        "snow_range_auto", SPIN_TR("Range of the frame's snow"),
+        SPIN_TR("Spread the colours over what the frame's cover has; off takes the range below, the same for "
+                "all frames."))
+        .affecting(Affects::Picture),
+    property<&RenderNode::snowRangeLow>(
+        "snow_range_low", SPIN_TR("Snow range from"),
+        SPIN_TR("Value of the darkest colour, in the unit that the legend shows."))
+        .range(-1e6, 1e6, 0.5)
+        .animated()
+        .affecting(Affects::Picture),
+    property<&RenderNode::snowRangeHigh>(
+        "snow_range_high", SPIN_TR("Snow range to"),
+        SPIN_TR("Value of the brightest colour, in the unit that the legend shows."))
+        .range(-1e6, 1e6, 0.5)
+        .animated()
+        .affecting(Affects::Picture),
+    property<&RenderNode::snowShading>(
+        "snow_shading", SPIN_TR("Snow shading"),
+        SPIN_TR(
+            "Physically based snow scatters light below its surface and is bluish in the shade. The "
+            "published model adds ambient, diffuse and mirrored light, and mixes snow with what lies below "
+            "by the exposure."))
+        .oneOf(kSnowShadings)
+        .affecting(Affects::Picture),
+    property<&RenderNode::snowAmbient>(
+        "snow_ambient", SPIN_TR("Ambient reflection"),
+        SPIN_TR("K_a of the published shading: share of the sky's light that snow reflects."))
+        .in(Unit::Factor)
+        .range(0, 2, 0.05)
+        .affecting(Affects::Picture),
+    property<&RenderNode::snowDiffuse>(
+        "snow_diffuse", SPIN_TR("Diffuse reflection"),
+        SPIN_TR("K_d of the published shading: share of the sun's light that snow reflects to all sides."))
+        .in(Unit::Factor)
+        .range(0, 2, 0.05)
+        .affecting(Affects::Picture),
+    property<&RenderNode::snowSpecular>(
+        "snow_specular", SPIN_TR("Mirror reflection"),
+        SPIN_TR("K_s of the published shading: share of the sun's light in the highlight."))
+        .in(Unit::Factor)
+        .range(0, 2, 0.05)
+        .affecting(Affects::Picture),
+    property<&RenderNode::snowShininess>(
+        "snow_shininess", SPIN_TR("Shininess"),
+        SPIN_TR("n of the published shading: the higher, the smaller the highlight."))
+        .range(1, 1000, 1)
         .affecting(Affects::Picture),
 };
 

@@ -28,6 +28,17 @@ extern const std::array<Choice, 10> kFlowDisplayChoices;
 /// Labels of particle classes, by number of the attribute "class".
 extern const std::array<const char*, 3> kFlowClassLabels;
 
+/// What the colours of the snow cover tell; Natural draws it as snow.
+enum class SnowDisplay : std::uint8_t { Natural, Depth, Swe, Density, Temperature, LiquidWater, Exposure };
+/// Ids and labels, by number.
+extern const std::array<Choice, 7> kSnowDisplayChoices;
+
+/// How snow that lies is lit.
+enum class SnowShading : std::uint8_t {
+  Physical,   ///< light that enters comes out again beside it; thin snow sinks between stems and stones
+  BlinnPhong  ///< as published: I_a K_a + I_d K_d (L.N) + K_s (N.H)^n, mixed with what lies below by exposure
+};
+
 /// How pictures are made.
 struct RenderNode : NodeData {
   int width = 1280;
@@ -43,8 +54,17 @@ struct RenderNode : NodeData {
   double flowRangeLow = 0.0;      ///< SI unit of what is shown
   double flowRangeHigh = 30.0;    ///< SI unit of what is shown
   bool flowLogarithmic = false;   ///< colours by the logarithm; for values above 0
-  bool flowLegend = true;         ///< printed where colours stand for values
+  bool flowLegend = true;         ///< printed where colours of flow or snow stand for values
   bool showFlowBoundary = false;  ///< particles of bodies' surfaces
+  SnowDisplay snowDisplay = SnowDisplay::Natural;
+  bool snowRangeAuto = true;   ///< of the colours: what the frame's cover has
+  double snowRangeLow = 0.0;   ///< in the unit of the legend: m, kg/m2, kg/m3, degC, 1
+  double snowRangeHigh = 2.0;  ///< in the unit of the legend
+  SnowShading snowShading = SnowShading::Physical;
+  double snowAmbient = 0.9;     ///< K_a of the published shading
+  double snowDiffuse = 0.85;    ///< K_d
+  double snowSpecular = 0.15;   ///< K_s
+  double snowShininess = 24.0;  ///< n
 };
 extern const NodeType kRenderType;
 

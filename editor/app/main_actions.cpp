@@ -140,10 +140,16 @@ void MainActions::addViewMenu() {
       [this] { m_window->tools().cameraFromView(); });
   menu->addSeparator();
   addGroundMenu(menu);
+  addSnowMenu(menu);
   addFlowMenu(menu);
   addToggle(menu, "viewSnow", tr("S&now cover"), true, {}, [&view](bool on) { view.setShowSnow(on); });
   addToggle(menu, "viewFlakes", tr("Fa&lling flakes"), true, {},
             [&view](bool on) { view.setShowFlakes(on); });
+  QAction* reading = addToggle(menu, "viewReading", tr("&Values under the pointer"), true, {},
+                               [&view](bool on) { view.setShowReading(on); });
+  reading->setToolTip(
+      tr("A line at the lower left: depth, mass and temperature of the snow under the pointer, "
+         "and the type of the ground."));
   menu->addSeparator();
   for (QDockWidget* dock : m_window->findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
     menu->addAction(dock->toggleViewAction());

@@ -37,6 +37,8 @@ class MainActions : public QObject {
   void addEditMenu();
   void addViewMenu();
   void addGroundMenu(QMenu* view);
+  void addSnowMenu(QMenu* view);
+  void showSnowSettings();
   void addFlowMenu(QMenu* view);
   void showFlowSettings();
   void addSimulateMenu();
@@ -55,6 +57,8 @@ class MainActions : public QObject {
   QMenu* m_nodeMenu = nullptr;
   QAction* m_duplicate = nullptr;
   QAction* m_delete = nullptr;
+  std::vector<QAction*> m_snowDisplays;  ///< by SnowDisplay
+  QAction* m_publishedSnow = nullptr;
   std::vector<QAction*> m_flowDisplays;  ///< by FlowDisplay
   QAction* m_flowBoundary = nullptr;
   QAction* m_holdSnow = nullptr;

@@ -46,6 +46,8 @@ std::string fontLetters(unsigned point) {
   switch (point) {
     case 0xa9:
       return "(c)";
+    case 0xb0:
+      return "deg";
     case 0xb2:
       return "2";
     case 0xb3:

@@ -16,7 +16,9 @@
 #include "editor/cli/bitmap_font.h"
 #include "editor/cli/cancel_watch.h"
 #include "editor/cli/legend_painter.h"
+#include "editor/render/cover_values.h"
 #include "editor/render/egl_context.h"
+#include "editor/render/flow_scale.h"
 #include "editor/render/renderer.h"
 #include "plugins/host/plugin_host.h"
 #include "plugins/sdk/output_file.h"
@@ -227,7 +229,10 @@ Status JobExport::writePictures(const FramePointer& frame) {
   }
   const std::vector<std::string> caption = captionLines(*m_opened.snapshot);
   if (!caption.empty()) drawCaption(image, caption);
-  if (const auto legend = flowLegend(*m_opened.snapshot, frame.get(), time)) drawLegend(image, *legend);
+  int taken = 0;
+  for (const auto& legend : {flowLegend(*m_opened.snapshot, frame.get(), time),
+                             coverLegend(*m_opened.snapshot, frame.get(), time)})
+    if (legend) taken = drawLegend(image, *legend, taken);
   for (Pictures& pictures : m_pictures) {
     const ScopedStage stage(m_timings, pictures.format.id);
     const std::string path = pathOf(pictures, frame->info.time.frame);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -33,19 +34,39 @@ std::vector<Vec3f> fineCoverSnow(const FineCover& fine, const CoverGrid& grid,
 /// Drawable form of a cover patch on a model: one vertex per cell and a rim half a cell further out, where
 /// the surface ends and the snow has no height.
 struct PatchCover {
-  std::vector<Vec3f> positions;  ///< in the grid's axes
+  static constexpr int kBorderCells = 3;  ///< width of the border, in which the snow follows the rim
+  std::vector<Vec3f> positions;           ///< in the grid's axes
   std::vector<std::uint32_t> indices;
-  std::vector<std::int32_t> cell;  ///< of the grid; -1 = rim
-  std::vector<float> inset;        ///< m from the rim; large inside
+  std::vector<std::int32_t> cell;       ///< of the grid; -1 = rim
+  std::vector<std::int32_t> shownCell;  ///< the same; of a rim, one that it hangs on
+  std::vector<std::int32_t> rim;        ///< nearest rim vertex within kBorderCells of a cell; -1 = none
+  std::vector<float> inset;             ///< m from the rim; large inside
   std::vector<std::int32_t> vertexOfCell;
   float cellSize = 1.0f;
 };
 PatchCover makePatchCover(const CoverGrid& grid);
-/// Per vertex: drawn thickness in m, then the surface normal. The edge is rounded as far in as the snow is
-/// thick, so that a patch ends in a curve and not in a wall.
-std::vector<Vec4f> patchCoverSnow(const PatchCover& patch, const std::vector<float>& depth);
-/// Appends to `out`, with `first` added, the triangles of the patch that carry snow.
+
+/// Distance to the nearest border of a patch of X x Y, F1 = min(x, X - x, y, Y - y) (eq. 2.9 of [Z]): snow
+/// that ends there falls towards it. For outlines of any form it is the inset.
+constexpr float borderDistance(float x, float y, float X, float Y) {
+  return std::min({x, X - x, y, Y - y});
+}
+/// The counterpart for patches whose surroundings are covered, F2 = max(x, X - x, y, Y - y) -
+/// int(max(X/2, Y/2) + 0.5) (eq. 2.10), lengths in cells: least in the middle, largest at the border. On a
+/// square of even cells it is X/2 - F1, the form in which it serves outlines of any form.
+constexpr float bankWidth(float x, float y, float X, float Y) {
+  const float half = std::max(0.5f * X, 0.5f * Y) + 0.5f;
+  return std::max({x, X - x, y, Y - y}) - static_cast<float>(static_cast<int>(half));
+}
+
+/// Per vertex: drawn thickness in m, then the surface normal. Where the snow ends at the rim it is rounded
+/// off as far in as it is thick, so that a patch ends in a curve and not in a wall (F1). Where snow beside
+/// the patch stands above its rim (`beside`, m, per vertex, read at rims; empty = nowhere), the patch's snow
+/// is banked up to it (F2), so that the two meet without a gap.
+std::vector<Vec4f> patchCoverSnow(const PatchCover& patch, const std::vector<float>& depth,
+                                  const std::vector<float>& beside = {});
+/// Appends to `out`, with `first` added, the triangles of the patch that carry snow; with `bare`, all.
 void appendCovered(const PatchCover& patch, const std::vector<Vec4f>& snow, std::uint32_t first,
-                   std::vector<std::uint32_t>& out);
+                   std::vector<std::uint32_t>& out, bool bare = false);
 
 }  // namespace spin

@@ -10,6 +10,14 @@
 namespace spin {
 namespace {
 
+/// Pixels along a cell of a patch at which its snow begins to sink to the model's surface, and at which it
+/// has sunk; it stays as many pixels above it as depth buffers need to tell the two apart.
+constexpr double kPixelsSinking = 1.5, kPixelsSunk = 0.6, kPixelsKept = 0.3;
+/// Colours of values also lie on bare surfaces, which must not flicker through.
+constexpr float kValueLift = 0.02f;  // m
+/// Snow on a model may stand this far above it, m, before it is taken to be out of sight.
+constexpr double kTallestSnow = 10.0;
+
 template <class T>
 GLsizeiptr bytesOf(const std::vector<T>& values) {
   return static_cast<GLsizeiptr>(values.size() * sizeof(T));
@@ -22,12 +30,20 @@ void formatAttributes(const GlVertexArray& array, GLint snowComponents) {
     glVertexArrayAttribFormat(array.id(), a, components[a], GL_FLOAT, GL_FALSE, 0);
     glVertexArrayAttribBinding(array.id(), a, a);
   }
+  glVertexArrayAttribFormat(array.id(), 2, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);
+  glVertexArrayAttribBinding(array.id(), 2, 2);
 }
 
 void bindBuffers(const GlVertexArray& array, const GlBuffer& positions, const GlBuffer& snow,
-                 GLsizei snowBytes, const GlBuffer& indices) {
+                 GLsizei snowBytes, const GlBuffer& looks, const GlBuffer& indices) {
   glVertexArrayVertexBuffer(array.id(), 0, positions.id(), 0, sizeof(Vec3f));
   glVertexArrayVertexBuffer(array.id(), 1, snow.id(), 0, snowBytes);
+  if (looks) {
+    glEnableVertexArrayAttrib(array.id(), 2);
+    glVertexArrayVertexBuffer(array.id(), 2, looks.id(), 0, sizeof(CoverTexel));
+  } else {
+    glDisableVertexArrayAttrib(array.id(), 2);
+  }
   glVertexArrayElementBuffer(array.id(), indices.id());
 }
 
@@ -39,12 +55,15 @@ void drawIndices(std::size_t first, std::size_t count) {
 }  // namespace
 
 Status CoverPass::initialise() {
-  auto fine = GlProgram::build("terrain.vert", "terrain.frag", "#define FINE 1\n#define NEAR 1");
-  if (!fine) return fine.error();
-  auto patch = GlProgram::build("patch.vert", "patch.frag");
-  if (!patch) return patch.error();
-  m_fineProgram = std::move(*fine);
-  m_patchProgram = std::move(*patch);
+  for (std::size_t k = 0; k < kSnowLooks; ++k) {
+    const std::string defines = definesOf(static_cast<SnowLook>(k));
+    auto fine = GlProgram::build("terrain.vert", "terrain.frag", defines + "#define FINE 1\n#define NEAR 1");
+    if (!fine) return fine.error();
+    auto patch = GlProgram::build("patch.vert", "patch.frag", defines);
+    if (!patch) return patch.error();
+    m_finePrograms[k] = std::move(*fine);
+    m_patchPrograms[k] = std::move(*patch);
+  }
   m_fineArray = GlVertexArray::make();
   m_patchArray = GlVertexArray::make();
   formatAttributes(m_fineArray, 3);
@@ -52,7 +71,8 @@ Status CoverPass::initialise() {
   return {};
 }
 
-void CoverPass::setCover(std::shared_ptr<const CoverPart> cover, const SceneSnapshot* scene) {
+void CoverPass::setCover(std::shared_ptr<const CoverPart> cover, const SceneSnapshot* scene,
+                         double filmTime) {
   if (!cover || !cover->layout || !scene || !scene->terrain ||
       cover->values.size() != cover->layout->grids.size()) {
     m_cover.reset();
@@ -66,12 +86,14 @@ void CoverPass::setCover(std::shared_ptr<const CoverPart> cover, const SceneSnap
   if (!sameMeshes) makeMeshes(*scene);
   updateCoarse(*scene);
   updateFine();
-  updatePatches();
+  updatePatches(*scene, filmTime);
+  m_looksStale = m_indicesStale = true;
 }
 
 void CoverPass::makeMeshes(const SceneSnapshot& scene) {
   m_coarse = -1;
   m_depth.reset();
+  m_looks.reset();
   m_fine.clear();
   m_patches.clear();
   const SceneNode* terrain = scene.first<TerrainNode>();
@@ -119,14 +141,18 @@ void CoverPass::addPatch(std::size_t grid) {
     at = std::prev(m_patches.end());
     at->node = node;
   }
-  at->parts.emplace_back(grid, makePatchCover(m_layout->grids[grid]));
+  PatchPart part;
+  part.grid = grid;
+  part.mesh = makePatchCover(m_layout->grids[grid]);
+  for (const Vec3f& p : part.mesh.positions) part.bounds.extend(p.to<double>());
+  at->cellSize = std::max(at->cellSize, m_layout->grids[grid].base.cellSize);
+  if (!part.bounds.empty()) at->parts.push_back(std::move(part));
 }
 
 void CoverPass::uploadPatchMeshes(Patches& patches) const {
   std::vector<Vec3f> positions;
-  for (const auto& [grid, patch] : patches.parts)
-    positions.insert(positions.end(), patch.positions.begin(), patch.positions.end());
-  for (const Vec3f& p : positions) patches.reach = std::max(patches.reach, static_cast<double>(length(p)));
+  for (const PatchPart& part : patches.parts)
+    positions.insert(positions.end(), part.mesh.positions.begin(), part.mesh.positions.end());
   patches.vertices = positions.size();
   patches.positions = GlBuffer::make();
   patches.snow = GlBuffer::make();
@@ -170,22 +196,71 @@ void CoverPass::updateFine() {
   }
 }
 
-void CoverPass::updatePatches() {
+std::optional<double> CoverPass::snowSurfaceAt(double x, double y) const {
+  // The highest of the cells round the place: snow that is banked up to it leaves no gap.
+  const auto highest = [&](const Raster<float>& base, const std::vector<float>& depth) {
+    std::optional<double> found;
+    const int i0 = base.column(x - 0.5 * base.cellSize), j0 = base.row(y - 0.5 * base.cellSize);
+    for (int j = j0; j <= j0 + 1; ++j)
+      for (int i = i0; i <= i0 + 1; ++i) {
+        if (!base.contains(i, j) || std::isnan(base.at(i, j))) continue;
+        const float lies = base.index(i, j) < depth.size() ? depth[base.index(i, j)] : 0.0f;
+        const auto z = static_cast<double>(base.at(i, j) + (std::isnan(lies) ? 0.0f : lies));
+        found = std::max(found.value_or(z), z);
+      }
+    return found;
+  };
+  for (const Fine& fine : m_fine) {
+    const Raster<float>& base = m_layout->grids[fine.grid].base;
+    if (!base.contains(base.column(x), base.row(y))) continue;
+    if (const auto z = highest(base, m_cover->values[fine.grid].depth)) return z;
+  }
+  return highest(m_terrain->heights, m_coarseDepth.values);
+}
+
+void CoverPass::updatePatches(const SceneSnapshot& scene, double filmTime) {
   for (Patches& patches : m_patches) {
+    const auto node = std::find_if(scene.nodes.begin(), scene.nodes.end(),
+                                   [&](const SceneNode& n) { return n.id == patches.node; });
+    const Vec3d offset =
+        node != scene.nodes.end() ? scene.modelTransform(*node, filmTime).translation : Vec3d{};
     std::vector<Vec4f> snow;
-    std::vector<std::uint32_t> indices;
     snow.reserve(patches.vertices);
-    for (const auto& [grid, patch] : patches.parts) {
-      std::vector<float> depth = m_cover->values[grid].depth;
-      depth.resize(m_layout->grids[grid].base.size(), 0.0f);
-      const auto part = patchCoverSnow(patch, depth);
-      appendCovered(patch, part, static_cast<std::uint32_t>(snow.size()), indices);
-      snow.insert(snow.end(), part.begin(), part.end());
+    for (PatchPart& part : patches.parts) {
+      std::vector<float> depth = m_cover->values[part.grid].depth;
+      depth.resize(m_layout->grids[part.grid].base.size(), 0.0f);
+      std::vector<float> beside(part.mesh.positions.size(), 0.0f);
+      for (std::size_t v = 0; v < beside.size(); ++v) {
+        if (part.mesh.cell[v] >= 0) continue;
+        const Vec3d p = part.mesh.positions[v].to<double>() + offset;
+        if (const auto z = snowSurfaceAt(p.x, p.y)) beside[v] = static_cast<float>(*z - p.z);
+      }
+      part.drawn = patchCoverSnow(part.mesh, depth, beside);
+      snow.insert(snow.end(), part.drawn.begin(), part.drawn.end());
+    }
+    glNamedBufferData(patches.snow.id(), bytesOf(snow), snow.data(), GL_DYNAMIC_DRAW);
+  }
+}
+
+void CoverPass::updateIndices() {
+  m_indicesStale = false;
+  for (Patches& patches : m_patches) {
+    std::vector<std::uint32_t> indices;
+    std::uint32_t vertex = 0;
+    for (PatchPart& part : patches.parts) {
+      part.first = indices.size();
+      appendCovered(part.mesh, part.drawn, vertex, indices, m_bareDrawn);
+      part.count = indices.size() - part.first;
+      vertex += static_cast<std::uint32_t>(part.drawn.size());
     }
     patches.count = indices.size();
     glNamedBufferData(patches.indices.id(), bytesOf(indices), indices.data(), GL_DYNAMIC_DRAW);
-    glNamedBufferData(patches.snow.id(), bytesOf(snow), snow.data(), GL_DYNAMIC_DRAW);
   }
+}
+
+void CoverPass::bindTextures() const {
+  glBindTextureUnit(6, m_depth.id());
+  glBindTextureUnit(8, m_looks.id());
 }
 
 std::vector<Vec4f> CoverPass::cuts() const {
@@ -202,7 +277,7 @@ std::vector<Vec4f> CoverPass::cuts() const {
 
 void CoverPass::drawFine(const DrawContext& context) const {
   if (!hasSnow()) return;
-  m_fineProgram.use();
+  m_finePrograms[static_cast<std::size_t>(context.look)].use();
   glBindVertexArray(m_fineArray.id());
   for (const Fine& fine : m_fine) {
     if (!context.frustum.mayShow(fine.geometry.bounds)) continue;
@@ -210,7 +285,7 @@ void CoverPass::drawFine(const DrawContext& context) const {
     const double pixels =
         m_layout->grids[fine.grid].base.cellSize * context.pixelsPerUnit / std::max(distance, 1.0);
     const std::size_t stride = pixels > 3.0 ? 0 : pixels > 1.5 ? 1 : 2;
-    bindBuffers(m_fineArray, fine.positions, fine.snow, sizeof(Vec3f), fine.indices);
+    bindBuffers(m_fineArray, fine.positions, fine.snow, sizeof(Vec3f), fine.looks, fine.indices);
     for (std::size_t b = 0; b < fine.geometry.blocks.size(); ++b) {
       const FineCover::Block& block = fine.geometry.blocks[b];
       if (context.frustum.mayShow(block.bounds))
@@ -221,19 +296,29 @@ void CoverPass::drawFine(const DrawContext& context) const {
 
 void CoverPass::drawPatches(const DrawContext& context, const std::vector<PlacedModel>& placed) const {
   if (!hasSnow() || m_patches.empty()) return;
-  m_patchProgram.use();
+  const GlProgram& program = m_patchPrograms[static_cast<std::size_t>(context.look)];
+  program.use();
   glBindVertexArray(m_patchArray.id());
   for (const Patches& patches : m_patches) {
     const auto at = std::find_if(placed.begin(), placed.end(),
                                  [&](const PlacedModel& p) { return p.node->id == patches.node; });
     if (at == placed.end() || patches.count == 0) continue;
     const Vec3d offset = at->transform.translation;
-    const Vec3d reach{patches.reach, patches.reach, patches.reach};
-    if (!context.frustum.mayShow({offset - reach, offset + reach})) continue;
-    m_patchProgram.set("uOffset", static_cast<float>(offset.x), static_cast<float>(offset.y),
-                       static_cast<float>(offset.z), 0.0f);
-    bindBuffers(m_patchArray, patches.positions, patches.snow, sizeof(Vec4f), patches.indices);
-    drawIndices(0, patches.count);
+    // Colours of values keep their place.
+    const double perMetre = context.look == SnowLook::Values ? 1e9 : context.pixelsPerUnit;
+    const float lift = context.look == SnowLook::Values ? kValueLift : 0.0f;
+    program.set("uOffset", static_cast<float>(offset.x), static_cast<float>(offset.y),
+                static_cast<float>(offset.z), lift);
+    program.set("uSink", static_cast<float>(patches.cellSize * perMetre / kPixelsSinking),
+                static_cast<float>(patches.cellSize * perMetre / kPixelsSunk),
+                static_cast<float>(kPixelsKept / perMetre), 0.0f);
+    bindBuffers(m_patchArray, patches.positions, patches.snow, sizeof(Vec4f), patches.looks, patches.indices);
+    for (const PatchPart& part : patches.parts) {
+      Box3d bounds{part.bounds.min + offset, part.bounds.max + offset};
+      bounds.max.z += kTallestSnow;
+      const bool seen = part.count > 0 && context.frustum.mayShow(bounds);
+      if (seen) drawIndices(part.first, part.count);
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "editor/render/snow_look.h"
 #include "editor/render/view_uniforms.h"
 
 namespace spin {
@@ -33,6 +34,7 @@ struct DrawContext {
   const FrameBlock& block;
   Frustum frustum;
   double pixelsPerUnit;  ///< pixels that a length of 1 m covers at 1 m distance
+  SnowLook look = SnowLook::Physical;
 };
 
 /// Distance from a point to a box, 0 inside.

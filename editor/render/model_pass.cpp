@@ -56,14 +56,17 @@ Box3d transformed(const Transform& transform, const Box3d& box) {
 }
 
 Status ModelPass::initialise() {
-  auto solid = GlProgram::build("model.vert", "model.frag");
-  if (!solid) return solid.error();
-  auto cutout = GlProgram::build("model.vert", "model.frag", "#define CUTOUT 1");
-  if (!cutout) return cutout.error();
+  for (std::size_t k = 0; k < m_solidPrograms.size(); ++k) {
+    const std::string defines = definesOf(static_cast<SnowLook>(k));
+    auto solid = GlProgram::build("model.vert", "model.frag", defines);
+    if (!solid) return solid.error();
+    auto cutout = GlProgram::build("model.vert", "model.frag", defines + "#define CUTOUT 1");
+    if (!cutout) return cutout.error();
+    m_solidPrograms[k] = std::move(*solid);
+    m_cutoutPrograms[k] = std::move(*cutout);
+  }
   auto depth = GlProgram::build("depth.vert", "depth.frag");
   if (!depth) return depth.error();
-  m_solidProgram = std::move(*solid);
-  m_cutoutProgram = std::move(*cutout);
   m_depthProgram = std::move(*depth);
   m_vertexArray = GlVertexArray::make();
   const GLuint id = m_vertexArray.id();
@@ -123,6 +126,8 @@ void ModelPass::forParts(const PlacedModel& placed, const Shows& shows, const Be
 
 void ModelPass::draw(const DrawContext& context, const std::vector<PlacedModel>& placed) const {
   glBindVertexArray(m_vertexArray.id());
+  // Colours of values need no variant: no snow is drawn on what carries none.
+  const std::size_t variant = context.look == SnowLook::Published ? 1 : 0;
   // Near models first, so that they hide far ones before those are shaded.
   std::vector<std::pair<double, const PlacedModel*>> seen;
   for (const PlacedModel& one : placed)
@@ -134,7 +139,8 @@ void ModelPass::draw(const DrawContext& context, const std::vector<PlacedModel>&
         !context.options.selectedNode.empty() && one->node->id == context.options.selectedNode;
     const auto inView = [&](const Box3d& bounds) { return context.frustum.mayShow(bounds); };
     forParts(*one, inView, [&](const Transform& t, const Material& m, bool textured) {
-      const GlProgram& program = textured && m.alphaCutout ? m_cutoutProgram : m_solidProgram;
+      const bool cutout = textured && m.alphaCutout;
+      const GlProgram& program = (cutout ? m_cutoutPrograms : m_solidPrograms)[variant];
       program.use();
       program.set("uHighlight", 1.0f, 0.45f, 0.05f, selected ? 0.35f : 0.0f);
       program.setMatrix("uModel", t.toColumnMajor());

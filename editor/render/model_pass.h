@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <vector>
@@ -59,7 +60,8 @@ class ModelPass {
   void forParts(const PlacedModel& placed, const Shows& shows, const Begin& begin) const;
 
   std::map<const ModelData*, GpuModel> m_models;
-  GlProgram m_solidProgram, m_cutoutProgram, m_depthProgram;
+  std::array<GlProgram, 2> m_solidPrograms, m_cutoutPrograms;  ///< physical and published snow
+  GlProgram m_depthProgram;
   GlVertexArray m_vertexArray;
 };
 

@@ -34,6 +34,7 @@ class PatchBuilder {
       for (int i = -1; i <= m_base.width; ++i) addVertex(i, j);
     for (int j = -1; j < m_base.height; ++j)
       for (int i = -1; i < m_base.width; ++i) addQuad(i, j);
+    findRims();
     return std::move(m_patch);
   }
 
@@ -61,7 +62,7 @@ class PatchBuilder {
       return;
     }
     Vec3d sum{};
-    int count = 0;
+    int count = 0, beside = -1;
     for (const auto& d : kAround) {
       const int a = i + d[0], b = j + d[1];
       if (!valid(a, b)) continue;
@@ -72,9 +73,11 @@ class PatchBuilder {
       const double out = std::clamp(share(a, b) + share(i, j) - 0.5, 0.05, 0.95);
       sum += Vec3d{m_base.x(a) + out * (m_base.x(i) - m_base.x(a)),
                    m_base.y(b) + out * (m_base.y(j) - m_base.y(b)), z + out * rise};
-      ++count;
+      if (++count == 1) beside = static_cast<int>(m_base.index(a, b));
     }
-    if (count > 0) push(i, j, sum / static_cast<double>(count), -1, 0.0f);
+    if (count == 0) return;
+    push(i, j, sum / static_cast<double>(count), -1, 0.0f);
+    m_patch.shownCell.back() = beside;
   }
 
   int push(int i, int j, Vec3d p, int cell, float inset) {
@@ -82,6 +85,7 @@ class PatchBuilder {
     vertexAt(i, j) = index;
     m_patch.positions.push_back(p.to<float>());
     m_patch.cell.push_back(cell);
+    m_patch.shownCell.push_back(cell);
     m_patch.inset.push_back(inset);
     return index;
   }
@@ -90,8 +94,9 @@ class PatchBuilder {
   float insetOf(int i, int j) const {
     const float cell = static_cast<float>(m_base.cellSize);
     float nearest = std::numeric_limits<float>::max();
-    for (int b = -3; b <= 3; ++b)
-      for (int a = -3; a <= 3; ++a) {
+    constexpr int kReach = PatchCover::kBorderCells;
+    for (int b = -kReach; b <= kReach; ++b)
+      for (int a = -kReach; a <= kReach; ++a) {
         const int reach = std::max({std::abs(a), std::abs(b), 1});
         const bool same = valid(i + a, j + b) && std::abs(m_base.at(i, j) - m_base.at(i + a, j + b)) <=
                                                      kLargestStep * cell * static_cast<float>(reach);
@@ -100,6 +105,29 @@ class PatchBuilder {
               std::min(nearest, (std::hypot(static_cast<float>(a), static_cast<float>(b)) - 0.5f) * cell);
       }
     return nearest;
+  }
+
+  /// The nearest rim vertex of each cell in the border.
+  void findRims() {
+    m_patch.rim.assign(m_patch.positions.size(), -1);
+    for (int j = 0; j < m_base.height; ++j)
+      for (int i = 0; i < m_base.width; ++i) {
+        const int cell = m_patch.vertexOfCell[m_base.index(i, j)];
+        if (cell >= 0) m_patch.rim[static_cast<std::size_t>(cell)] = nearestRim(i, j);
+      }
+  }
+
+  int nearestRim(int i, int j) {
+    constexpr int kReach = PatchCover::kBorderCells;
+    int found = -1, nearest = kReach * kReach + 1;
+    for (int b = std::max(j - kReach, -1); b <= std::min(j + kReach, m_base.height); ++b)
+      for (int a = std::max(i - kReach, -1); a <= std::min(i + kReach, m_base.width); ++a) {
+        const int vertex = vertexAt(a, b), square = (a - i) * (a - i) + (b - j) * (b - j);
+        if (vertex < 0 || square >= nearest || m_patch.cell[static_cast<std::size_t>(vertex)] >= 0) continue;
+        found = vertex;
+        nearest = square;
+      }
+    return found;
   }
 
   void addQuad(int i, int j) {
@@ -131,6 +159,19 @@ float rounded(float depth, float inset, float radius) {
   return depth * std::sqrt(1.0f - (1.0f - x) * (1.0f - x));
 }
 
+/// Thickness at a rim beside which snow stands so high. A model that lies deep in the ground or in snow far
+/// deeper than its own would get a wall that nobody sees.
+float bankedUp(float beside, float depth) {
+  constexpr float kMostAbove = 0.5f;  // m
+  return beside > 0.0f ? std::min(beside, depth + kMostAbove) : 0.0f;
+}
+
+/// From the bank's height at the rim to the patch's own `border` further in, by F2's share of its largest.
+float banked(float depth, float bank, float inset, float border) {
+  const float share = std::clamp(1.0f - inset / border, 0.0f, 1.0f);
+  return depth + (bank - depth) * share * share * (3.0f - 2.0f * share);
+}
+
 /// One round of averaging over the mesh's edges where the snow is rounded off: the outline of a patch runs in
 /// steps of whole cells, its snow must not.
 void soften(const PatchCover& patch, std::vector<Vec4f>& snow) {
@@ -152,13 +193,22 @@ PatchCover makePatchCover(const CoverGrid& grid) {
   return PatchBuilder(grid).build();
 }
 
-std::vector<Vec4f> patchCoverSnow(const PatchCover& patch, const std::vector<float>& depth) {
+std::vector<Vec4f> patchCoverSnow(const PatchCover& patch, const std::vector<float>& depth,
+                                  const std::vector<float>& beside) {
   const std::size_t n = patch.positions.size();
   std::vector<Vec4f> snow(n);
+  const auto depthOf = [&](std::size_t v) { return depth[static_cast<std::size_t>(patch.shownCell[v])]; };
+  for (std::size_t v = 0; v < n; ++v)
+    if (patch.cell[v] < 0 && !beside.empty()) snow[v].x = bankedUp(beside[v], depthOf(v));
+  const float border = static_cast<float>(PatchCover::kBorderCells) * patch.cellSize;
   for (std::size_t v = 0; v < n; ++v) {
     if (patch.cell[v] < 0) continue;
-    const float d = depth[static_cast<std::size_t>(patch.cell[v])];
-    snow[v].x = rounded(d, patch.inset[v], std::max(patch.cellSize, 0.8f * d));
+    const float d = depthOf(v);
+    const float bank = patch.rim[v] >= 0 ? snow[static_cast<std::size_t>(patch.rim[v])].x : 0.0f;
+    if (bank > 0.0f)
+      snow[v].x = banked(d, bank, patch.inset[v], border);
+    else
+      snow[v].x = rounded(d, patch.inset[v], std::max(patch.cellSize, 0.8f * d));
   }
   soften(patch, snow);
   std::vector<Vec3f> normal(n);
@@ -176,11 +226,11 @@ std::vector<Vec4f> patchCoverSnow(const PatchCover& patch, const std::vector<flo
 }
 
 void appendCovered(const PatchCover& patch, const std::vector<Vec4f>& snow, std::uint32_t first,
-                   std::vector<std::uint32_t>& out) {
+                   std::vector<std::uint32_t>& out, bool bare) {
   constexpr float kVisible = 0.001f;  // m
   for (std::size_t t = 0; t + 2 < patch.indices.size(); t += 3) {
     const std::uint32_t a = patch.indices[t], b = patch.indices[t + 1], c = patch.indices[t + 2];
-    if (std::max({snow[a].x, snow[b].x, snow[c].x}) < kVisible) continue;
+    if (!bare && std::max({snow[a].x, snow[b].x, snow[c].x}) < kVisible) continue;
     for (const std::uint32_t v : {a, b, c}) out.push_back(first + v);
   }
 }

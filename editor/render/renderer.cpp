@@ -161,7 +161,8 @@ void Renderer::State::updateCover() {
     const auto at = frame->parts.find(name);
     return at == frame->parts.end() ? nullptr : at->second;
   };
-  cover.setCover(std::dynamic_pointer_cast<const CoverPart>(part("cover")), scene.get());
+  cover.setCover(std::dynamic_pointer_cast<const CoverPart>(part("cover")), scene.get(),
+                 frame ? frame->info.time.film : 0.0);
   const auto particles = [&](const char* name) {
     return std::dynamic_pointer_cast<const ParticlePart>(part(name));
   };
@@ -178,6 +179,7 @@ void Renderer::State::updateCover() {
 FrameBlock Renderer::State::makeBlock(const RenderCamera& camera, double filmTime,
                                       const RenderOptions& options) {
   const bool snow = options.showSnow && cover.hasSnow() && options.ground == GroundDisplay::Natural;
+  const auto picture = scene->settings<RenderNode>(filmTime);
   const LightModel light = lightModel(*scene, filmTime, snow ? cover.snowShare() : 0.0);
   const double aspect = static_cast<double>(options.width) / options.height;
   const double tangent = std::tan(0.5 * degreesToRadians(camera.fovDegrees));
@@ -195,13 +197,16 @@ FrameBlock Renderer::State::makeBlock(const RenderCamera& camera, double filmTim
   b.bounce = withW(light.bounce, filmTime);
   b.zenith = withW(light.zenith, 0.0);
   // Colours that stand for values must not fade with distance.
-  const double haze = options.ground == GroundDisplay::Natural ? options.hazeScale : 0.0;
+  const bool values = snow && snowLook(picture) == SnowLook::Values;
+  const double haze = options.ground == GroundDisplay::Natural && !values ? options.hazeScale : 0.0;
   b.horizon = withW(light.horizon, light.hazeExtinction * haze);
   b.viewport = {static_cast<float>(options.width), static_cast<float>(options.height),
                 static_cast<float>(0.5 * options.height / tangent), static_cast<float>(options.quality)};
   terrain.fill(b);
   b.terrainSize.z = snow ? 1.0f : 0.0f;
-  b.terrainSize.w = options.ground == GroundDisplay::Natural ? 0.0f : 1.0f;
+  b.terrainSize.w = options.ground == GroundDisplay::Natural && !values ? 0.0f : 1.0f;
+  b.snowPhong = {static_cast<float>(picture.snowAmbient), static_cast<float>(picture.snowDiffuse),
+                 static_cast<float>(picture.snowSpecular), static_cast<float>(picture.snowShininess)};
   return b;
 }
 
@@ -215,7 +220,11 @@ void Renderer::State::bindTextures() const {
 void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera, double filmTime,
                                  const RenderOptions& options) {
   timings.clear();
-  timed("upload", [&] { updateCover(); });
+  const CoverLook look = coverLookOf(*scene, filmTime);
+  timed("upload", [&] {
+    updateCover();
+    cover.setLook(look);
+  });
   FrameBlock b = makeBlock(camera, filmTime, options);
   const Vec3d toSun = lightModel(*scene, filmTime, 0.0).toSun;
   timed("ground", [&] { terrain.update(*scene, filmTime, options.ground, options.selectedNode, toSun); });
@@ -224,8 +233,14 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
   timed("shadow", [&] { shadows.update(models, placed, flow, camera, toSun, b); });
   glNamedBufferSubData(block.id(), 0, sizeof b, &b);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, block.id());
-  const DrawContext context{
-      *scene, camera, filmTime, options, b, Frustum(b.viewProjection), static_cast<double>(b.viewport.z)};
+  const DrawContext context{*scene,
+                            camera,
+                            filmTime,
+                            options,
+                            b,
+                            Frustum(b.viewProjection),
+                            static_cast<double>(b.viewport.z),
+                            b.terrainSize.z > 0.5f ? look.look : SnowLook::Physical};
   timed("area", [&] { area.setScene(scene, options.selectedNode); });
   bindTextures();
   timed("flow surface", [&] { flow.prepare(context); });

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "editor/render/terrain_light.h"
 
@@ -38,8 +39,14 @@ int terrainLevel(double distance, double cellSize, double pixelsPerUnit, double 
 }
 
 Status TerrainPass::initialise() {
-  const std::pair<GlProgram*, const char*> variants[] = {
-      {&m_farProgram, ""}, {&m_nearProgram, "#define NEAR 1"}, {&m_falseProgram, "#define FALSE_COLOURS 1"}};
+  const std::string published = definesOf(SnowLook::Published);
+  const std::pair<GlProgram*, std::string> variants[] = {
+      {&m_farProgram, ""},
+      {&m_nearProgram, "#define NEAR 1"},
+      {&m_publishedFarProgram, published},
+      {&m_publishedNearProgram, published + "#define NEAR 1"},
+      {&m_valuesProgram, definesOf(SnowLook::Values)},
+      {&m_falseProgram, "#define FALSE_COLOURS 1"}};
   for (const auto& [program, defines] : variants) {
     auto built = GlProgram::build("terrain.vert", "terrain.frag", defines);
     if (!built) return built.error();
@@ -137,6 +144,18 @@ void TerrainPass::drawTile(const LevelMesh& mesh) const {
   glDrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);
 }
 
+const GlProgram& TerrainPass::programFor(SnowLook look, bool near) const {
+  switch (look) {
+    case SnowLook::Values:
+      return m_valuesProgram;
+    case SnowLook::Published:
+      return near ? m_publishedNearProgram : m_publishedFarProgram;
+    case SnowLook::Physical:
+      break;
+  }
+  return near ? m_nearProgram : m_farProgram;
+}
+
 void TerrainPass::draw(const DrawContext& context, const std::vector<Vec4f>& cuts, const Box3d& shading) {
   m_triangles = 0;
   if (!m_terrain) return;
@@ -157,9 +176,9 @@ void TerrainPass::draw(const DrawContext& context, const std::vector<Vec4f>& cut
       if (overlaps(tile->bounds, cut) && here.size() < kMostCuts) here.push_back(cut);
     const bool natural = context.options.ground == GroundDisplay::Natural;
     const bool near = distance < kNearShading || !here.empty() || shadedBy(tile->bounds, shading);
-    const GlProgram& program = !natural ? m_falseProgram : near ? m_nearProgram : m_farProgram;
+    const GlProgram& program = !natural ? m_falseProgram : programFor(context.look, near);
     program.use();
-    if (natural && near) {
+    if (natural && (near || context.look == SnowLook::Values)) {
       if (!here.empty()) program.setArray("uCuts", &here.front().x, static_cast<int>(here.size()));
       program.set("uCutCount", static_cast<int>(here.size()));
     }

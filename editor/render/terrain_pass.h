@@ -47,10 +47,12 @@ class TerrainPass {
   void makeTiles();
   const LevelMesh& meshOf(Tile& tile, int level) const;
   void drawTile(const LevelMesh& mesh) const;
+  const GlProgram& programFor(SnowLook look, bool near) const;
 
   std::shared_ptr<const TerrainData> m_terrain;
   std::vector<Tile> m_tiles;
-  GlProgram m_farProgram, m_nearProgram, m_falseProgram;
+  GlProgram m_farProgram, m_nearProgram, m_publishedFarProgram, m_publishedNearProgram, m_valuesProgram,
+      m_falseProgram;
   GlVertexArray m_vertexArray;
   GlTexture m_light;
   std::vector<Vec4f> m_normalsAndSky;

@@ -55,6 +55,7 @@ struct FrameBlock {
   Vec4f terrainGrid;  ///< origin x, y, 1 / cell size, 1 if there is terrain
   Vec4f terrainSize;  ///< columns, rows, 1 if there is cover, 1 for false colours
   Vec4f viewport;     ///< width, height, pixels per unit of x/z, shown share of detail
+  Vec4f snowPhong;    ///< K_a, K_d, K_s, n of the published shading of snow
 };
 
 }  // namespace spin

@@ -150,7 +150,19 @@ void paintHint(QPainter& painter, const QRectF& area, const QString& title, cons
   painter.drawText(box.adjusted(16, 62, -16, -12), Qt::AlignCenter | Qt::TextWordWrap, text);
 }
 
-void paintLegend(QPainter& painter, const QRectF& area, const FlowLegend& legend) {
+void paintReading(QPainter& painter, const QRectF& area, const QString& text) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QFontMetricsF metrics(painter.font());
+  const QSizeF size(metrics.horizontalAdvance(text) + 20, metrics.height() + 10);
+  const QRectF box(QPointF(area.left() + 12, area.bottom() - 12 - size.height()), size);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(20, 22, 26, 180));
+  painter.drawRoundedRect(box, 5, 5);
+  painter.setPen(QColor(225, 230, 235));
+  painter.drawText(box, Qt::AlignCenter, text);
+}
+
+QRectF paintLegend(QPainter& painter, const QRectF& area, const ValueLegend& legend) {
   constexpr double kBar = 14.0, kGap = 8.0, kMargin = 16.0, kRow = 20.0;
   const auto text = [](const std::string& source) {
     return QCoreApplication::translate("Properties", source.c_str());
@@ -160,7 +172,7 @@ void paintLegend(QPainter& painter, const QRectF& area, const FlowLegend& legend
   if (!legend.unit.empty()) title += QStringLiteral(", ") + QString::fromStdString(legend.unit);
   const QFontMetricsF metrics(painter.font());
   double widest = metrics.horizontalAdvance(title) - kBar - kGap;
-  for (const FlowLegend::Tick& tick : legend.ticks)
+  for (const ValueLegend::Tick& tick : legend.ticks)
     widest = std::max(widest, metrics.horizontalAdvance(text(tick.text)));
   const bool classes = legend.scale.classes;
   const double rows = static_cast<double>(legend.ticks.size());
@@ -175,20 +187,21 @@ void paintLegend(QPainter& painter, const QRectF& area, const FlowLegend& legend
   painter.drawText(QPointF(box.left() + 10, box.top() + 18), title);
   const QRectF bar(box.left() + 10, box.top() + 30, kBar, height);
   for (std::size_t k = 0; k < legend.ticks.size(); ++k) {
-    const FlowLegend::Tick& tick = legend.ticks[k];
+    const ValueLegend::Tick& tick = legend.ticks[k];
     const double y = classes ? bar.top() + (static_cast<double>(k) + 0.5) * kRow
                              : bar.bottom() - tick.place * bar.height();
     if (classes) painter.fillRect(QRectF(bar.left(), y - 7, kBar, kBar), colour(tick.place));
     if (!classes) painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 4, y));
     painter.drawText(QPointF(bar.right() + kGap, y + 0.35 * metrics.ascent()), text(tick.text));
   }
-  if (classes) return;
+  if (classes) return box;
   QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
   for (std::size_t k = 0; k < kScaleStops; ++k) {
     const double place = static_cast<double>(k) / static_cast<double>(kScaleStops - 1);
     gradient.setColorAt(place, colour(place));
   }
   painter.fillRect(bar, gradient);
+  return box;
 }
 
 void paintGroundLegend(QPainter& painter, const QRectF& area, const GroundScale& scale) {

@@ -4,16 +4,16 @@
 
 #include <QColor>
 #include <QPointF>
+#include <QRectF>
 #include <QString>
 #include <vector>
 
 #include "core/nodes/painted_kinds.h"
-#include "editor/render/flow_scale.h"
 #include "editor/render/ground_scale.h"
+#include "editor/render/value_scale.h"
 #include "editor/viewport/gizmo.h"
 
 class QPainter;
-class QRectF;
 
 namespace spin {
 
@@ -32,8 +32,10 @@ QString paintedText(const PaintedKind& kind, double si);
 void paintGroundLegend(QPainter& painter, const QRectF& area, const GroundScale& scale);
 /// A calm message in the middle of the view.
 void paintHint(QPainter& painter, const QRectF& area, const QString& title, const QString& text);
-/// What the colours of the picture mean: at the right rim of the area.
-void paintLegend(QPainter& painter, const QRectF& area, const FlowLegend& legend);
+/// A line at the lower left of the area: what lies under the pointer.
+void paintReading(QPainter& painter, const QRectF& area, const QString& text);
+/// What the colours of the picture mean: at the right rim of the area. Returns the box that it takes.
+QRectF paintLegend(QPainter& painter, const QRectF& area, const ValueLegend& legend);
 /// A small label in a corner: top left.
 void paintBadge(QPainter& painter, const QString& text);
 

@@ -8,6 +8,8 @@
 
 #include "core/fields/terrain_surface.h"
 #include "core/nodes/flow_nodes.h"
+#include "editor/render/cover_values.h"
+#include "editor/render/flow_scale.h"
 #include "editor/render/view_uniforms.h"
 #include "editor/viewport/overlay_painter.h"
 #include "editor/viewport/picture_view.h"
@@ -48,6 +50,9 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), m_chosenKind(&m_brush.kin
   column->addWidget(m_surface);
   m_flight.setInterval(16);
   connect(&m_flight, &QTimer::timeout, this, &Viewport::flyStep);
+  m_readTimer.setSingleShot(true);
+  m_readTimer.setInterval(80);
+  connect(&m_readTimer, &QTimer::timeout, this, &Viewport::updateReading);
   m_clock.start();
   refresh();
 }
@@ -87,6 +92,8 @@ void Viewport::setFlakeAtlas(std::shared_ptr<const FlakeAtlas> atlas) {
 
 void Viewport::updateLegend() {
   m_legend = m_scene ? flowLegend(*m_scene, m_frame.get(), m_filmTime) : std::nullopt;
+  m_coverLegend = m_scene ? spin::coverLegend(*m_scene, m_frame.get(), m_filmTime) : std::nullopt;
+  scheduleReading();
   updateOverlay();
 }
 
@@ -267,7 +274,11 @@ void Viewport::paintOverlay(QPainter& painter) const {
   const bool empty = !m_scene || showsNothing(*m_scene);
   if (empty && !m_hintTitle.isEmpty()) paintHint(painter, QRectF(m_surface->rect()), m_hintTitle, m_hintText);
   if (m_lookThrough) paintBadge(painter, tr("Camera view"));
-  if (m_legend) paintLegend(painter, QRectF(m_surface->rect()), *m_legend);
+  QRectF room(m_surface->rect());
+  if (m_legend) room.setRight(paintLegend(painter, room, *m_legend).left());
+  const bool values = m_coverLegend && m_options.showSnow && m_options.ground == GroundDisplay::Natural;
+  if (values) paintLegend(painter, room, *m_coverLegend);
+  if (!m_reading.isEmpty()) paintReading(painter, QRectF(m_surface->rect()), m_reading);
   paintShapes(painter, seen);
   if (const GroundScale* scale = groundScale(m_options.ground))
     paintGroundLegend(painter, QRectF(m_surface->rect()), *scale);

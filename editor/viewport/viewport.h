@@ -7,8 +7,8 @@
 #include <QWidget>
 #include <functional>
 
-#include "editor/render/flow_scale.h"
 #include "editor/render/ground_scale.h"
+#include "editor/render/value_scale.h"
 #include "editor/viewport/brush_adjust.h"
 #include "editor/viewport/flow_gizmo.h"
 #include "editor/viewport/ground_brush.h"
@@ -46,6 +46,10 @@ class Viewport : public QWidget {
   GroundDisplay shownGround() const { return m_options.ground; }
   void setShowSnow(bool on);
   void setShowFlakes(bool on);
+  /// Whether a line says what lies under the pointer: snow, temperature, type of the ground.
+  void setShowReading(bool on);
+  /// That line; empty beside everything.
+  const QString& reading() const { return m_reading; }
   /// Shows what the scene's camera sees; moving the view ends it.
   void setLookThrough(bool on);
   bool lookThrough() const { return m_lookThrough; }
@@ -86,7 +90,9 @@ class Viewport : public QWidget {
   const ModelGizmo& gizmo() const { return m_gizmo; }
   const FlowGizmo& shape() const { return m_shape; }
   /// What the colours of the shown frame mean; nothing where they stand for no values.
-  const std::optional<FlowLegend>& legend() const { return m_legend; }
+  const std::optional<ValueLegend>& legend() const { return m_legend; }
+  /// The same of the snow cover.
+  const std::optional<ValueLegend>& coverLegend() const { return m_coverLegend; }
   /// The widget that shows the picture and takes the pointer.
   PictureView* surface() const { return m_surface; }
 
@@ -138,6 +144,8 @@ class Viewport : public QWidget {
   void dragShape(const QMouseEvent& event);
   void followSelection();
   void updateLegend();
+  void scheduleReading();
+  void updateReading();
   void updateGround();
   void showScene();
   void paintBrush(QPainter& painter, const ViewportContext& seen) const;
@@ -157,7 +165,7 @@ class Viewport : public QWidget {
   SnapshotPointer m_scene;       ///< with the preview
   std::optional<LayerPreview> m_preview;
   FramePointer m_frame;
-  std::optional<FlowLegend> m_legend;
+  std::optional<ValueLegend> m_legend, m_coverLegend;
   double m_filmTime = 0.0;
   std::string m_selected;
   Tool m_tool = Tool::Select;
@@ -170,6 +178,10 @@ class Viewport : public QWidget {
   double m_pressure = 1.0;          ///< of the pen
   Qt::KeyboardModifiers m_keys;     ///< as the last event of the pointer had them
   Vec2d m_pointer{};
+  bool m_pointerInside = false;
+  bool m_showReading = true;
+  QString m_reading;
+  QTimer m_readTimer;
   GizmoHandle m_hovered = GizmoHandle::None;
   RenderOptions m_options;
   GroundDisplay m_groundDisplay = GroundDisplay::Natural;

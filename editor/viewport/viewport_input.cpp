@@ -48,6 +48,8 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
       event->accept();
       return true;
     case QEvent::Leave:
+      m_pointerInside = false;
+      scheduleReading();
       m_brush.leave();
       m_hovered = GizmoHandle::None;
       updateOverlay();
@@ -131,6 +133,8 @@ void Viewport::dragShape(const QMouseEvent& event) {
 bool Viewport::move(const QMouseEvent& event) {
   const Vec2d pixel = pixelOf(event.position());
   m_pointer = pixel;
+  m_pointerInside = true;
+  scheduleReading();
   m_keys = event.modifiers();
   if (m_adjust) return adjust(event);
   if (m_navigator.move(event, m_surface->height())) {

@@ -16,6 +16,7 @@ layout(std140, binding = 0) uniform FrameBlock {
   vec4 uTerrainGrid;
   vec4 uTerrainSize;
   vec4 uViewport;
+  vec4 uSnowPhong;
 };
 
 // Texture coordinates of a local position in the terrain's rasters (cell centres at texel centres).

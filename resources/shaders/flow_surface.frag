@@ -49,8 +49,9 @@ vec3 snowSurface(vec3 p, vec3 normal, float open, float loose, float fine, float
   vec3 n = normalize(normal + wrinkle.x * uRight.xyz + wrinkle.y * cross(uRight.xyz, uForward.xyz));
   float shade = (0.93 + 0.14 * (coarse.r - 0.5) + 0.2 * (grain.r - 0.5) * nearness) * mix(0.62, 1.0, open);
   shade *= roughShade(along, fine);
-  vec3 colour = snowColour(n, sunlit * mix(0.7, 1.0, open), skyOpen * mix(0.55, 1.0, open)) * shade;
-  return colour + snowSparkle(grain.a, n, normalize(uEye.xyz - p), distance, sunlit) * (1.0 - loose);
+  vec3 toEye = normalize(uEye.xyz - p);
+  vec3 colour = snowColour(n, toEye, sunlit * mix(0.7, 1.0, open), skyOpen * mix(0.55, 1.0, open)) * shade;
+  return colour + snowSparkle(grain.a, n, toEye, distance, sunlit) * (1.0 - loose);
 }
 
 vec3 waterSurface(vec3 p, vec3 normal, float foam, float sunlit, float skyOpen, out vec3 reflectance) {

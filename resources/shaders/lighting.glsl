@@ -50,9 +50,19 @@ vec3 diffuseLight(vec3 normal, float sunlit, float skyOpen) {
          uBounce.rgb * ((1.0 - up) * (0.4 + 0.6 * skyOpen) + up * (1.0 - skyOpen) * 0.35);
 }
 
+#ifdef PUBLISHED
+// The published shading, C_p = I_a K_a + I_d K_d (L.N) + K_s (N.H)^n: I_a the open sky's light, I_d the sun's,
+// which the highlight has too; all of the sun's part ends where its beam does.
+vec3 snowColour(vec3 normal, vec3 toEye, float sunlit, float skyOpen) {
+  float sunCos = max(dot(normal, uToSun.xyz), 0.0);
+  float mirrored = max(dot(normal, normalize(uToSun.xyz + toEye)), 0.0);
+  float highlight = sunCos > 0.0 ? pow(mirrored, uSnowPhong.w) : 0.0;
+  return uSky.rgb * uSnowPhong.x + uSun.rgb * (sunlit * (uSnowPhong.y * sunCos + uSnowPhong.z * highlight));
+}
+#else
 // Fresh snow: bright in all directions; light that enters comes out again beside, so that the edge of shade
 // is soft (wrapped cosine) and shade itself is bluish.
-vec3 snowColour(vec3 normal, float sunlit, float skyOpen) {
+vec3 snowColour(vec3 normal, vec3 toEye, float sunlit, float skyOpen) {
   const vec3 albedo = vec3(0.87, 0.88, 0.90);
   float sunCos = dot(normal, uToSun.xyz);
   float wrapped = max((sunCos + 0.22) / 1.22, 0.0);
@@ -60,6 +70,16 @@ vec3 snowColour(vec3 normal, float sunlit, float skyOpen) {
   vec3 shade = uSky.rgb * (up * skyOpen) * vec3(0.94, 0.98, 1.04);
   vec3 around = uBounce.rgb * ((1.0 - up) + up * (1.0 - skyOpen) * 0.5);
   return albedo * (uSun.rgb * (mix(wrapped, max(sunCos, 0.0), 0.5) * sunlit) + shade + around);
+}
+#endif
+
+// A colour that stands for a value, with just enough relief to read the ground's form. `look` holds the root
+// of the colour times the share that has a value, and that share; the rest is grey.
+vec3 valueColour(vec4 look, vec3 normal) {
+  float shade = 0.35 + 0.65 * max(dot(normal, vec3(-0.42, -0.32, 0.85)), 0.0);
+  // Samples at the rim of a triangle lie outside of it.
+  vec3 root = clamp(look.rgb / max(look.a, 1e-3), 0.0, 1.0);
+  return mix(vec3(0.16, 0.165, 0.175), root * root, clamp(look.a, 0.0, 1.0)) * shade;
 }
 
 // Sun that single crystals mirror into the eye; only where texels of the white noise are seen apart.

@@ -14,14 +14,17 @@ uniform vec4 uHighlight;  // colour and strength
 layout(location = 0) out vec4 oColour;
 
 // What carries no cover of its own is as white on top as the open ground beside it is deep in snow.
-vec3 dusted(vec3 colour, vec3 normal, float sunlit) {
-  if (uSurface.w <= 0.0) return colour;
+vec3 dusted(vec3 colour, vec3 normal, vec3 toEye, float sunlit) {
+  if (uSurface.w <= 0.0 || uTerrainSize.w > 0.5) return colour;
   float depth = texture(uSnowDepth, terrainUv(vPosition.xy)).r * uTerrainSize.z;
   vec4 close = texture(uNoise, (vPosition.xy + vPosition.z * vec2(0.37, 0.61)) * (1.0 / 2.3));
   float up = smoothstep(0.15, 0.65, normal.z + 0.5 * (close.r - 0.5));
   float cover = uSurface.w * up * snowCoverage(depth * vOpen.x, 0.02, close.a);
+#ifdef PUBLISHED
+  cover *= vOpen.x;
+#endif
   vec3 n = normalize(normal + vec3((close.gb - 0.5) * 0.3, 0.4));
-  return mix(colour, snowColour(n, sunlit, vOpen.x), cover);
+  return mix(colour, snowColour(n, toEye, sunlit, vOpen.x), cover);
 }
 
 void main() {
@@ -39,7 +42,7 @@ void main() {
 #ifdef CUTOUT
   // Light shines through needles: the far side is as bright as the near one.
   vec3 colour = base.rgb * diffuseLight(normal, vOpen.y, vOpen.x);
-  colour = dusted(colour, facing < 0.0 ? -normal : normal, vOpen.y);
+  colour = dusted(colour, facing < 0.0 ? -normal : normal, toEye, vOpen.y);
 #else
   if (uSurface.y > 0.5 && facing < 0.0) normal = -normal;
   float sunlit = vOpen.y * modelShadow(vPosition + normal * 0.03);
@@ -47,7 +50,7 @@ void main() {
   float gloss = max(0.9 - uSurface.z, 0.0), rim = 1.0 - abs(facing);
   float rim2 = rim * rim;
   colour += gloss * skyColour(reflect(-toEye, normal)) * (0.05 + 0.6 * rim2 * rim2);
-  colour = dusted(colour, normal, sunlit);
+  colour = dusted(colour, normal, toEye, sunlit);
 #endif
   colour = mix(colour, uHighlight.rgb, uHighlight.a * (1.0 - 0.65 * abs(facing)));
   oColour = vec4(finish(colour, vHaze), 1.0);

@@ -1,15 +1,24 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
 // Variants: FINE (a fine cover grid), NEAR (cut by fine grids, shaded by models, with the grain that only near
-// ground shows), FALSE_COLOURS (painted layers as they are).
+// ground shows), FALSE_COLOURS (painted layers as they are), VALUES (colours that the cover's values have; cut as
+// well), PUBLISHED (shading and blend of snow as published).
 in vec3 vPosition;
 in vec4 vHaze;
 #ifdef FINE
 in vec4 vSnow;
 #endif
+// The colour of the cell's value and whether it has one, or the share f_p of snow in w.
+#if defined(VALUES) || defined(PUBLISHED)
+#ifdef FINE
+in vec4 vLook;
+#else
+layout(binding = 8) uniform sampler2D uCoverLook;
+#endif
+#endif
 layout(binding = 5) uniform sampler2D uGround;     // roots of the colour, roughness / 0.1 m
 layout(binding = 6) uniform sampler2D uSnowDepth;  // m
-#ifdef NEAR
+#if defined(NEAR) || defined(VALUES)
 uniform vec4 uCuts[16];  // x0, y0, x1, y1 drawn by fine grids
 uniform int uCutCount;
 #endif
@@ -23,7 +32,7 @@ vec3 groundColour(vec4 ground, float broad, float close, float roughness) {
 }
 
 void main() {
-#if defined(NEAR) && !defined(FINE)
+#if (defined(NEAR) || defined(VALUES)) && !defined(FINE)
   for (int k = 0; k < uCutCount; ++k) {
     vec4 cut = uCuts[k];
     if (vPosition.x > cut.x && vPosition.y > cut.y && vPosition.x < cut.z && vPosition.y < cut.w) discard;
@@ -33,7 +42,15 @@ void main() {
   vec4 light = texture(uTerrainLight, uv);
   vec2 tilt = light.xy * (255.0 / 127.0) - (128.0 / 127.0);
   vec3 normal = vec3(tilt, sqrt(max(1.0 - dot(tilt, tilt), 0.01)));
-#ifdef FALSE_COLOURS
+#if (defined(VALUES) || defined(PUBLISHED)) && !defined(FINE)
+  vec4 vLook = texture(uCoverLook, uv);
+#endif
+#ifdef VALUES
+#ifdef FINE
+  normal = normalize(normal / normal.z - vec3(vSnow.yz, 0.0));
+#endif
+  oColour = vec4(finish(valueColour(vLook, normal), vHaze), 1.0);
+#elif defined(FALSE_COLOURS)
   float shade = 0.35 + 0.65 * max(dot(normal, vec3(-0.42, -0.32, 0.85)), 0.0);
   vec3 root = texture(uGround, uv).rgb;
   oColour = vec4(finish(root * root * shade, vHaze), 1.0);
@@ -65,13 +82,21 @@ void main() {
   float detail = broad.r, white = broad.a;
 #endif
   float coverage = snowCoverage(depth, roughness, clamp(0.30 + 1.6 * (detail - 0.5) + 0.55 * white, 0.0, 1.0));
+  vec3 toEye = normalize(uEye.xyz - vPosition);
+#ifdef PUBLISHED
+  coverage *= vLook.a;
+#endif
   vec2 drift = broad.gb - 0.5;
   vec3 bare = normalize(normal + vec3(wrinkle * 1.4 + drift * 0.8, 0.0));
   vec3 soil = groundColour(ground, broad.r, detail, roughness) * diffuseLight(bare, sunlit, skyOpen);
   vec3 n = normalize(snowNormal + vec3(wrinkle * 0.13 + drift * 0.20, 0.0));
-  vec3 snow = snowColour(n, sunlit, skyOpen);
-#ifdef NEAR
-  snow += snowSparkle(grain.a, n, (uEye.xyz - vPosition) / distance, distance, sunlit);
+  vec3 snow = snowColour(n, toEye, sunlit, skyOpen);
+#ifndef PUBLISHED
+  // Under an even sky only hollows, which see less of it, show the form of what the wind has left.
+  snow *= 0.89 + 0.15 * detail + 0.07 * broad.r;
+#endif
+#if defined(NEAR) && !defined(PUBLISHED)
+  snow += snowSparkle(grain.a, n, toEye, distance, sunlit);
 #endif
   oColour = vec4(finish(mix(soil, snow, coverage), vHaze), 1.0);
 #endif

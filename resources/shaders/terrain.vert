@@ -5,6 +5,10 @@ layout(location = 0) in vec3 aPosition;
 #ifdef FINE
 layout(location = 1) in vec3 aSnow;  // depth and its slope along x and y
 out vec4 vSnow;                      // the same, and the share of the sky that models leave open
+#if defined(VALUES) || defined(PUBLISHED)
+layout(location = 2) in vec4 aLook;
+out vec4 vLook;
+#endif
 #else
 layout(binding = 6) uniform sampler2D uSnowDepth;
 #endif
@@ -21,6 +25,9 @@ void main() {
   vPosition = aPosition + vec3(0.0, 0.0, depth);
 #ifdef FINE
   vSnow = vec4(aSnow, zenithVisibility(vPosition));
+#if defined(VALUES) || defined(PUBLISHED)
+  vLook = aLook;
+#endif
 #endif
   vHaze = hazeAt(vPosition);
   gl_Position = uViewProjection * vec4(vPosition, 1.0);

@@ -15,11 +15,10 @@ ImageFloat grey(int width, int height) {
   return image;
 }
 
-FlowLegend speeds() {
-  FlowLegend legend;
+ValueLegend speeds() {
+  ValueLegend legend;
   legend.title = "Speed";
   legend.unit = "m/s";
-  legend.scale.shows = FlowDisplay::Speed;
   legend.scale.high = 30.0;
   legend.ticks = {{0.0, "0"}, {0.5, "15"}, {1.0, "30"}};
   return legend;
@@ -54,14 +53,14 @@ TEST(LegendPainter, ShowsTheColoursFromLowToHighAtTheRightRim) {
 }
 
 TEST(LegendPainter, ClassesGetASwatchEach) {
-  FlowLegend legend;
+  ValueLegend legend;
   legend.title = "Particle class";
   legend.scale.classes = true;
   legend.scale.high = 8.0;
   legend.ticks = {{0.0, "Within the flow"}, {0.125, "Isolated"}};
   ImageFloat image = grey(640, 360);
   drawLegend(image, legend);
-  for (const FlowLegend::Tick& tick : legend.ticks) {
+  for (const ValueLegend::Tick& tick : legend.ticks) {
     const Vec3d colour = scaleColour(legend.scale, tick.place);
     int found = 0;
     for (std::size_t k = 0; k < image.rgba.size(); k += 4)

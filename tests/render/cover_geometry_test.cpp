@@ -86,6 +86,67 @@ TEST(PatchCover, MissingCellsMakeNoSnow) {
   EXPECT_TRUE(makePatchCover(grid).indices.empty());
 }
 
+TEST(PatchCover, TheBorderFormulasAreThePublishedOnes) {
+  // On a patch of 8 x 8 cells.
+  EXPECT_FLOAT_EQ(borderDistance(0, 3, 8, 8), 0.0f);
+  EXPECT_FLOAT_EQ(borderDistance(3, 7, 8, 8), 1.0f);
+  EXPECT_FLOAT_EQ(borderDistance(4, 4, 8, 8), 4.0f);
+  EXPECT_FLOAT_EQ(borderDistance(2, 5, 4, 10), 2.0f);
+  EXPECT_FLOAT_EQ(bankWidth(4, 4, 8, 8), 0.0f);
+  EXPECT_FLOAT_EQ(bankWidth(0, 4, 8, 8), 4.0f);
+  EXPECT_FLOAT_EQ(bankWidth(6, 4, 8, 8), 2.0f);
+  for (int x = 0; x <= 8; ++x)
+    for (int y = 0; y <= 8; ++y) {
+      const auto fx = static_cast<float>(x), fy = static_cast<float>(y);
+      EXPECT_FLOAT_EQ(bankWidth(fx, fy, 8, 8), 4.0f - borderDistance(fx, fy, 8, 8));
+    }
+}
+
+TEST(PatchCover, TheInsetIsTheDistanceToTheBorder) {
+  const CoverGrid grid = table(6, 1.0f);
+  const PatchCover patch = makePatchCover(grid);
+  for (int j = 0; j < 6; ++j)
+    for (int i = 0; i < 6; ++i) {
+      const auto v = static_cast<std::size_t>(patch.vertexOfCell[grid.base.index(i, j)]);
+      const auto x = static_cast<float>(grid.base.x(i)), y = static_cast<float>(grid.base.y(j));
+      EXPECT_NEAR(patch.inset[v], borderDistance(x, y, 0.6f, 0.6f), 1e-5f) << i << ' ' << j;
+    }
+}
+
+TEST(PatchCover, SnowIsBankedUpToSnowBesideIt) {
+  const CoverGrid grid = table(12, 1.0f);
+  const PatchCover patch = makePatchCover(grid);
+  const std::vector<float> depth(grid.base.size(), 0.2f);
+  // Along its left border snow stands 0.3 m above the rim; on the other sides nothing does.
+  std::vector<float> beside(patch.positions.size(), 0.0f);
+  for (std::size_t v = 0; v < beside.size(); ++v) beside[v] = patch.positions[v].x < 0.06f ? 0.3f : -2.0f;
+  const auto snow = patchCoverSnow(patch, depth, beside);
+  int left = 0;
+  for (std::size_t v = 0; v < snow.size(); ++v) {
+    if (patch.cell[v] >= 0) continue;
+    const bool banked = patch.positions[v].x < 0.06f;
+    EXPECT_NEAR(snow[v].x, banked ? 0.3f : 0.0f, 1e-6f) << "the rim meets what lies beside it";
+    left += banked;
+  }
+  EXPECT_GE(left, 12);
+  const auto at = [&](int i, int j) {
+    return snow[static_cast<std::size_t>(patch.vertexOfCell[grid.base.index(i, j)])].x;
+  };
+  EXPECT_GT(at(0, 6), 0.25f);
+  EXPECT_GT(at(0, 6), at(2, 6)) << "falls inwards";
+  EXPECT_NEAR(at(5, 6), 0.2f, 1e-4f);
+  EXPECT_LT(at(11, 6), 0.2f) << "tapers on the other side";
+  for (int i = 1; i < 12; ++i) EXPECT_LT(std::abs(at(i, 6) - at(i - 1, 6)), 0.1f) << "no wall at " << i;
+}
+
+TEST(PatchCover, SnowBesideThatIsFarHigherMakesNoWall) {
+  const CoverGrid grid = table(12, 1.0f);
+  const PatchCover patch = makePatchCover(grid);
+  const auto snow = patchCoverSnow(patch, std::vector<float>(grid.base.size(), 0.2f),
+                                   std::vector<float>(patch.positions.size(), 30.0f));
+  for (const Vec4f& s : snow) EXPECT_LE(s.x, 0.7f + 1e-5f);
+}
+
 TEST(FineCover, MeetsTheCoarseCoverAtItsBorderAndIsItselfInside) {
   CoverGrid grid{"terrain/fine0", "terrain", Raster<float>(80, 80, 20.125, 20.125, 0.25, 5.0f), {}};
   Raster<float> coarse(20, 20, 0.0, 0.0, 5.0);

@@ -138,7 +138,7 @@ TEST(FlowLegend, TicksAreRoundNumbersAtTheirPlaces) {
   const auto legend = flowLegend(*scene, flowFrame(particleBlock({0, 0, 0}, {1, 1, 1}, 0.5, 1.0)).get(), 0.0);
   ASSERT_TRUE(legend);
   std::vector<std::string> texts;
-  for (const FlowLegend::Tick& tick : legend->ticks) {
+  for (const ValueLegend::Tick& tick : legend->ticks) {
     texts.push_back(tick.text);
     EXPECT_NEAR(tick.place, std::stod(tick.text) / 50.0, 1e-9);
   }

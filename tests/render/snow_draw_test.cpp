@@ -1,6 +1,10 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <numeric>
+
+#include "core/base/units.h"
 #include "core/fields/terrain_surface.h"
+#include "core/nodes/settings_nodes.h"
 #include "tests/render/gl_fixture.h"
 
 namespace spin::test {
@@ -109,6 +113,155 @@ TEST_F(PatchDraw, SnowLiesOnTheModelAndStandsAboveItsEdge) {
   EXPECT_GT(top, 8) << "snow on the roof";
   EXPECT_GT(wall, 8) << "none on the wall";
   EXPECT_GT(above, 1) << "snow rises above the roof's far edge";
+}
+
+/// A picture of values: their hues do not depend on the light.
+class ValueDraw : public SnowDraw {
+ protected:
+  static void show(SceneBuilder& scene, SnowDisplay shows, double low, double high) {
+    scene.add<RenderNode>(kRenderType, "render", [=](RenderNode& r) {
+      r.snowDisplay = shows;
+      r.snowRangeAuto = false;
+      r.snowRangeLow = low;
+      r.snowRangeHigh = high;
+    });
+  }
+  static bool yellow(const Picture& p, int x, int y) {
+    return p.red(x, y) > 1.5 * p.blue(x, y) && p.green(x, y) > 1.5 * p.blue(x, y);
+  }
+  static bool violet(const Picture& p, int x, int y) {
+    return p.blue(x, y) > 1.4 * p.green(x, y) && p.red(x, y) > 1.2 * p.green(x, y);
+  }
+  static bool grey(const Picture& p, int x, int y) {
+    return std::abs(p.red(x, y) - p.blue(x, y)) < 12 && p.bright(x, y) < 150;
+  }
+};
+
+TEST_F(ValueDraw, DepthIsReadAsColourOnTheGround) {
+  SceneBuilder builder = meadow();
+  show(builder, SnowDisplay::Depth, 0.0, 2.0);
+  const SnapshotPointer scene = builder.build();
+  const auto depth = [](int i, int j) { return j < 32 ? 0.0 : i < 32 ? 0.02 : 2.0; };
+  const Picture picture = draw(scene, frameWithCover(*scene, depth), kAbove, sized(96, 96));
+  EXPECT_TRUE(violet(picture, 20, 20)) << "thin";
+  EXPECT_TRUE(yellow(picture, 76, 20)) << "deep";
+  EXPECT_TRUE(grey(picture, 48, 76)) << "none";
+}
+
+TEST_F(ValueDraw, AFineGridAndAPatchShowTheirOwnValues) {
+  SceneBuilder builder = meadow();
+  show(builder, SnowDisplay::Depth, 0.0, 2.0);
+  addModel(builder, "box", boxModel({8, 8, 4}), {160, 160, 0});
+  const SnapshotPointer scene = builder.build();
+  auto frame = frameWithCover(*scene, [](int, int) { return 0.02; });
+  CoverGrid fine{"terrain/fine0", "terrain", Raster<float>(80, 80, 140.25, 140.25, 0.5, 0.0f), {}};
+  fine.area = fine.base.sameShape<float>(0.25f);
+  addGrid(*frame, fine, std::vector<float>(fine.base.size(), 2.0f));
+  CoverGrid patch{"box/0", "box", Raster<float>(40, 40, -3.9, -3.9, 0.2, 4.0f), {}};
+  patch.area = patch.base.sameShape<float>(0.04f);
+  addGrid(*frame, patch, std::vector<float>(patch.base.size(), 0.02f));
+  const Picture picture = draw(scene, frame, {{160, 159, 60}, {160, 160, 0}, 45}, sized(128, 128));
+  EXPECT_TRUE(violet(picture, 64, 64)) << "thin on the box";
+  EXPECT_TRUE(yellow(picture, 40, 64)) << "deep in the fine grid";
+  EXPECT_TRUE(violet(picture, 4, 64)) << "thin outside it";
+}
+
+TEST_F(ValueDraw, TemperatureIsShownOnBareModelsAndGroundAsWell) {
+  SceneBuilder builder = meadow();
+  show(builder, SnowDisplay::Temperature, -10.0, 0.0);
+  addModel(builder, "box", boxModel({80, 80, 4}), {160, 160, 0});
+  const SnapshotPointer scene = builder.build();
+  auto frame = frameWithCover(*scene, [](int, int) { return 0.0; });
+  CoverGrid patch{"box/0", "box", Raster<float>(40, 40, -39, -39, 2.0, 4.0f), {}};
+  patch.area = patch.base.sameShape<float>(4.0f);
+  addGrid(*frame, patch, std::vector<float>(patch.base.size(), 0.0f));
+  auto cover = std::make_shared<CoverPart>(*frame->part<CoverPart>("cover"));
+  cover->values[0].temperature.assign(cover->values[0].depth.size(), 263.15f);
+  cover->values[1].temperature.assign(cover->values[1].depth.size(), 273.15f);
+  frame->parts["cover"] = cover;
+  const Picture picture = draw(scene, frame, kAbove, sized(96, 96));
+  EXPECT_TRUE(yellow(picture, 48, 48)) << "0 degC on the box";
+  EXPECT_TRUE(violet(picture, 10, 48)) << "-10 degC on the ground";
+}
+
+TEST_F(ValueDraw, NaturalColoursComeBack) {
+  SceneBuilder natural = meadow(), values = meadow();
+  show(natural, SnowDisplay::Natural, 0.0, 2.0);
+  show(values, SnowDisplay::Swe, 0.0, 2.0);
+  const SnapshotPointer one = natural.build(), other = values.build();
+  const auto frame = frameWithCover(*one, [](int i, int) { return 0.01 * i; });
+  const Picture before = draw(one, frame, kAbove, sized(64, 64));
+  EXPECT_GT(difference(before, draw(other, frame, kAbove, sized(64, 64))), 20.0);
+  EXPECT_EQ(difference(before, draw(one, frame, kAbove, sized(64, 64))), 0.0);
+}
+
+TEST_F(SnowDraw, PublishedShadingFollowsItsConstants) {
+  const auto picture = [&](double ambient, double diffuse, double specular, double exposed) {
+    SceneBuilder builder = meadow();
+    builder.add<RenderNode>(kRenderType, "render", [=](RenderNode& r) {
+      r.snowShading = SnowShading::BlinnPhong;
+      r.snowAmbient = ambient;
+      r.snowDiffuse = diffuse;
+      r.snowSpecular = specular;
+      r.snowShininess = 8.0;
+    });
+    const SnapshotPointer scene = builder.build();
+    auto frame = frameWithCover(*scene, [](int, int) { return 0.3; });
+    auto cover = std::make_shared<CoverPart>(*frame->part<CoverPart>("cover"));
+    auto exposure = std::make_shared<CoverExposure>();
+    exposure->grids = {std::vector<float>(cover->values[0].depth.size(), static_cast<float>(exposed))};
+    cover->exposure = exposure;
+    frame->parts["cover"] = cover;
+    return draw(scene, frame, kAbove, sized(64, 64));
+  };
+  const auto mean = [](const Picture& p) {
+    double sum = 0.0;
+    for (const std::uint8_t v : p.rgb) sum += v;
+    return sum / static_cast<double>(p.rgb.size());
+  };
+  EXPECT_LT(mean(picture(0.0, 0.0, 0.0, 1.0)), 25.0) << "only haze before it";
+  const double ambient = mean(picture(0.4, 0.0, 0.0, 1.0));
+  EXPECT_GT(ambient, 40.0);
+  EXPECT_GT(mean(picture(0.8, 0.0, 0.0, 1.0)), ambient + 20.0);
+  EXPECT_GT(mean(picture(0.4, 0.5, 0.0, 1.0)), ambient + 5.0);
+  EXPECT_GT(mean(picture(0.4, 0.0, 1.0, 1.0)), ambient + 1.0);
+  // C = f_p C_snow + (1 - f_p) C_object: black snow over the meadow, in linear light.
+  SceneBuilder bare = meadow();
+  const SnapshotPointer meadowOnly = bare.build();
+  const double ground = mean(draw(meadowOnly, nullptr, kAbove, sized(64, 64)));
+  const double half = mean(picture(0.0, 0.0, 0.0, 0.5));
+  EXPECT_LT(half, 0.9 * ground);
+  EXPECT_GT(half, 0.5 * ground);
+}
+
+/// A camera that walks towards a snowed box in small steps: on the way the patch turns from colour into
+/// raised geometry, and no step changes the picture much.
+TEST_F(SnowDraw, NothingPopsAsTheCameraComesNear) {
+  SceneBuilder builder = meadow();
+  addModel(builder, "box", boxModel({8, 8, 4}), {160, 160, 0});
+  const SnapshotPointer scene = builder.build();
+  auto frame = frameWithCover(*scene, [](int, int) { return 0.3; });
+  CoverGrid patch{"box/0", "box", Raster<float>(32, 32, -3.875, -3.875, 0.25, 4.0f), {}};
+  patch.area = patch.base.sameShape<float>(0.0625f);
+  addGrid(*frame, patch, std::vector<float>(patch.base.size(), 0.6f));
+  RenderOptions options = sized(128, 96);
+  options.samples = 4;
+  std::vector<double> steps;
+  Picture before;
+  for (int k = 0; k <= 80; ++k) {
+    const double distance = 85.0 * std::pow(0.985, k);
+    const Vec3d eye{160.0, 160.0 - distance * 0.94, 3.0 + distance * 0.34};
+    const Picture now = draw(scene, frame, {eye, {160, 160, 4}, 30}, options);
+    // Only about the box: the grain of the ground also changes with every step.
+    double sum = 0.0;
+    for (int y = 32; k > 0 && y < 56; ++y)
+      for (int x = 48; x < 80; ++x) sum += std::abs(now.bright(x, y) - before.bright(x, y));
+    if (k > 0) steps.push_back(sum / (24.0 * 32.0));
+    before = now;
+  }
+  // A patch that is there from one step to the next changes this part by 16.
+  for (std::size_t k = 0; k < steps.size(); ++k) EXPECT_LT(steps[k], 6.0) << "step " << k;
+  EXPECT_GT(std::accumulate(steps.begin(), steps.end(), 0.0), 20.0) << "the box is in the picture";
 }
 
 TEST_F(PatchDraw, NoDepthNoDifference) {

@@ -209,6 +209,24 @@ class FlowWindowTest : public QObject {
     QVERIFY(f.action("flow_material")->isChecked());
   }
 
+  /// So does the menu of the snow.
+  void theMenuSetsWhatSnowShows() {
+    Fixture f;
+    QVERIFY(f.action("snow_natural")->isChecked());
+    f.action("snow_depth")->trigger();
+    const auto settings = [&]() -> const RenderNode& {
+      return test::dataOf<RenderNode>(f.document().scene().firstOf(kRenderType));
+    };
+    QVERIFY(settings().snowDisplay == SnowDisplay::Depth);
+    f.action("snowPublished")->trigger();
+    QVERIFY(settings().snowShading == SnowShading::BlinnPhong);
+    f.action("editUndo")->trigger();
+    QVERIFY(!f.action("snowPublished")->isChecked());
+    QVERIFY(f.action("snow_depth")->isChecked());
+    f.action("editUndo")->trigger();
+    QVERIFY(f.action("snow_natural")->isChecked());
+  }
+
   /// A process is held from the frame after the shown one on; what comes before stays.
   void aProcessIsHeldFromHere() {
     Fixture f;
