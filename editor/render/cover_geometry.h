@@ -27,8 +27,9 @@ struct FineCover {
   Box3d bounds;
 };
 FineCover makeFineCover(const CoverGrid& grid);
-/// Per cell: drawn depth in m and its slope along x and y. `coarseDepth` has the terrain raster's shape.
-std::vector<Vec3f> fineCoverSnow(const FineCover& fine, const CoverGrid& grid,
+/// Per cell: drawn depth in m, its slope along x and y, and the share of the sky's light that snow round a
+/// hollow leaves it, 0..1. `coarseDepth` has the terrain raster's shape.
+std::vector<Vec4f> fineCoverSnow(const FineCover& fine, const CoverGrid& grid,
                                  const std::vector<float>& depth, const Raster<float>& coarseDepth);
 
 /// Drawable form of a cover patch on a model: one vertex per cell and a rim half a cell further out, where

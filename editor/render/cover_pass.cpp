@@ -23,8 +23,8 @@ GLsizeiptr bytesOf(const std::vector<T>& values) {
   return static_cast<GLsizeiptr>(values.size() * sizeof(T));
 }
 
-void formatAttributes(const GlVertexArray& array, GLint snowComponents) {
-  const GLint components[2] = {3, snowComponents};
+void formatAttributes(const GlVertexArray& array) {
+  const GLint components[2] = {3, 4};
   for (GLuint a = 0; a < 2; ++a) {
     glEnableVertexArrayAttrib(array.id(), a);
     glVertexArrayAttribFormat(array.id(), a, components[a], GL_FLOAT, GL_FALSE, 0);
@@ -35,9 +35,9 @@ void formatAttributes(const GlVertexArray& array, GLint snowComponents) {
 }
 
 void bindBuffers(const GlVertexArray& array, const GlBuffer& positions, const GlBuffer& snow,
-                 GLsizei snowBytes, const GlBuffer& looks, const GlBuffer& indices) {
+                 const GlBuffer& looks, const GlBuffer& indices) {
   glVertexArrayVertexBuffer(array.id(), 0, positions.id(), 0, sizeof(Vec3f));
-  glVertexArrayVertexBuffer(array.id(), 1, snow.id(), 0, snowBytes);
+  glVertexArrayVertexBuffer(array.id(), 1, snow.id(), 0, sizeof(Vec4f));
   if (looks) {
     glEnableVertexArrayAttrib(array.id(), 2);
     glVertexArrayVertexBuffer(array.id(), 2, looks.id(), 0, sizeof(CoverTexel));
@@ -66,8 +66,8 @@ Status CoverPass::initialise() {
   }
   m_fineArray = GlVertexArray::make();
   m_patchArray = GlVertexArray::make();
-  formatAttributes(m_fineArray, 3);
-  formatAttributes(m_patchArray, 4);
+  formatAttributes(m_fineArray);
+  formatAttributes(m_patchArray);
   return {};
 }
 
@@ -285,7 +285,7 @@ void CoverPass::drawFine(const DrawContext& context) const {
     const double pixels =
         m_layout->grids[fine.grid].base.cellSize * context.pixelsPerUnit / std::max(distance, 1.0);
     const std::size_t stride = pixels > 3.0 ? 0 : pixels > 1.5 ? 1 : 2;
-    bindBuffers(m_fineArray, fine.positions, fine.snow, sizeof(Vec3f), fine.looks, fine.indices);
+    bindBuffers(m_fineArray, fine.positions, fine.snow, fine.looks, fine.indices);
     for (std::size_t b = 0; b < fine.geometry.blocks.size(); ++b) {
       const FineCover::Block& block = fine.geometry.blocks[b];
       if (context.frustum.mayShow(block.bounds))
@@ -312,7 +312,7 @@ void CoverPass::drawPatches(const DrawContext& context, const std::vector<Placed
     program.set("uSink", static_cast<float>(patches.cellSize * perMetre / kPixelsSinking),
                 static_cast<float>(patches.cellSize * perMetre / kPixelsSunk),
                 static_cast<float>(kPixelsKept / perMetre), 0.0f);
-    bindBuffers(m_patchArray, patches.positions, patches.snow, sizeof(Vec4f), patches.looks, patches.indices);
+    bindBuffers(m_patchArray, patches.positions, patches.snow, patches.looks, patches.indices);
     for (const PatchPart& part : patches.parts) {
       Box3d bounds{part.bounds.min + offset, part.bounds.max + offset};
       bounds.max.z += kTallestSnow;

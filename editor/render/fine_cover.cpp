@@ -49,6 +49,41 @@ void addBlocks(const Raster<float>& base, FineCover& fine) {
     }
 }
 
+/// Sums of `values` along one axis over `reach` cells to both sides; at ends the value there goes on.
+void addAlong(std::vector<float>& values, std::size_t first, std::size_t step, int count, int reach,
+              std::vector<float>& line) {
+  line.resize(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k)
+    line[static_cast<std::size_t>(k)] = values[first + static_cast<std::size_t>(k) * step];
+  const auto at = [&](int k) {
+    return static_cast<double>(line[static_cast<std::size_t>(std::clamp(k, 0, count - 1))]);
+  };
+  double sum = 0.0;
+  for (int k = -reach; k <= reach; ++k) sum += at(k);
+  for (int k = 0; k < count; ++k) {
+    values[first + static_cast<std::size_t>(k) * step] = static_cast<float>(sum);
+    sum += at(k + reach + 1) - at(k - reach);
+  }
+}
+
+/// What lies lower than the mean of the snow round it sees less of the sky: under clouds nothing else tells a
+/// hollow from level snow.
+void addHollows(const Raster<float>& base, std::vector<Vec4f>& snow) {
+  constexpr double kReach = 1.0;    // m
+  constexpr float kShare = 3.0f;    // of the sky, for a hollow as deep as the reach
+  constexpr float kDarkest = 0.6f;  // snow lights its own hollows
+  std::vector<float> mean(snow.size()), line;
+  for (std::size_t k = 0; k < snow.size(); ++k) mean[k] = snow[k].x;
+  const int reach = std::max(1, static_cast<int>(std::lround(kReach / base.cellSize)));
+  const auto width = static_cast<std::size_t>(base.width);
+  for (int j = 0; j < base.height; ++j) addAlong(mean, base.index(0, j), 1, base.width, reach, line);
+  for (int i = 0; i < base.width; ++i) addAlong(mean, base.index(i, 0), width, base.height, reach, line);
+  const auto side = static_cast<float>(2 * reach + 1);
+  const float scale = kShare / (static_cast<float>(reach) * static_cast<float>(base.cellSize));
+  for (std::size_t k = 0; k < snow.size(); ++k)
+    snow[k].w = std::clamp(1.0f - scale * (mean[k] / (side * side) - snow[k].x), kDarkest, 1.0f);
+}
+
 }  // namespace
 
 FineCover makeFineCover(const CoverGrid& grid) {
@@ -74,11 +109,11 @@ FineCover makeFineCover(const CoverGrid& grid) {
   return fine;
 }
 
-std::vector<Vec3f> fineCoverSnow(const FineCover& fine, const CoverGrid& grid,
+std::vector<Vec4f> fineCoverSnow(const FineCover& fine, const CoverGrid& grid,
                                  const std::vector<float>& depth, const Raster<float>& coarseDepth) {
   const Raster<float>& base = grid.base;
   const TerrainSurface coarse(coarseDepth);
-  std::vector<Vec3f> snow(base.size());
+  std::vector<Vec4f> snow(base.size());
   for (int j = 0; j < base.height; ++j)
     for (int i = 0; i < base.width; ++i) {
       const std::size_t k = base.index(i, j);
@@ -90,7 +125,7 @@ std::vector<Vec3f> fineCoverSnow(const FineCover& fine, const CoverGrid& grid,
     for (int i = 0; i < base.width; ++i) {
       const int iLow = std::max(i - 1, 0), iHigh = std::min(i + 1, base.width - 1);
       const int jLow = std::max(j - 1, 0), jHigh = std::min(j + 1, base.height - 1);
-      Vec3f& s = snow[base.index(i, j)];
+      Vec4f& s = snow[base.index(i, j)];
       if (iHigh > iLow)
         s.y = (snow[base.index(iHigh, j)].x - snow[base.index(iLow, j)].x) /
               (cell * static_cast<float>(iHigh - iLow));
@@ -98,6 +133,7 @@ std::vector<Vec3f> fineCoverSnow(const FineCover& fine, const CoverGrid& grid,
         s.z = (snow[base.index(i, jHigh)].x - snow[base.index(i, jLow)].x) /
               (cell * static_cast<float>(jHigh - jLow));
     }
+  addHollows(base, snow);
   return snow;
 }
 

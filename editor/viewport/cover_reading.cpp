@@ -104,7 +104,10 @@ std::optional<CoverReading> readCover(const SceneSnapshot& scene, const Frame* f
 
 QString readingText(const CoverReading& reading) {
   const auto number = [&](SnowDisplay of, int digits) {
-    const QString text = QLocale().toString(static_cast<double>(reading.value(of)), 'f', digits);
+    const double power = std::pow(10.0, digits);
+    // Rounded first, so that nothing is "-0.0"; adding 0 takes the sign from zero.
+    const double rounded = std::round(power * static_cast<double>(reading.value(of))) / power + 0.0;
+    const QString text = QLocale().toString(rounded, 'f', digits);
     const QString unit = QString::fromUtf8(coverUnit(of));
     return unit.isEmpty() ? text : QStringLiteral("%1 %2").arg(text, unit);
   };

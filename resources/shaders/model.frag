@@ -18,8 +18,14 @@ vec3 dusted(vec3 colour, vec3 normal, vec3 toEye, float sunlit) {
   if (uSurface.w <= 0.0 || uTerrainSize.w > 0.5) return colour;
   float depth = texture(uSnowDepth, terrainUv(vPosition.xy)).r * uTerrainSize.z;
   vec4 close = texture(uNoise, (vPosition.xy + vPosition.z * vec2(0.37, 0.61)) * (1.0 / 2.3));
+#ifdef CUTOUT
+  // Needles hold little before it slips through them.
+  float up = smoothstep(0.3, 0.9, normal.z + 0.6 * (close.r - 0.5));
+  float cover = uSurface.w * up * snowCoverage(depth * vOpen.x, 0.08, close.a);
+#else
   float up = smoothstep(0.15, 0.65, normal.z + 0.5 * (close.r - 0.5));
   float cover = uSurface.w * up * snowCoverage(depth * vOpen.x, 0.02, close.a);
+#endif
 #ifdef PUBLISHED
   cover *= vOpen.x;
 #endif

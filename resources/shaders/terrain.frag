@@ -64,7 +64,7 @@ void main() {
 #ifdef FINE
   float depth = vSnow.x;
   vec3 snowNormal = normal / normal.z - vec3(vSnow.yz, 0.0);
-  skyOpen *= mix(0.25, 1.0, vSnow.w);
+  skyOpen *= vSnow.w;
 #else
   float depth = texture(uSnowDepth, uv).r * uTerrainSize.z;
   vec3 snowNormal = normal;

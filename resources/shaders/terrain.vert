@@ -3,8 +3,8 @@
 // Coarse terrain (heights raised by the coarse cover), or with FINE a fine cover grid.
 layout(location = 0) in vec3 aPosition;
 #ifdef FINE
-layout(location = 1) in vec3 aSnow;  // depth and its slope along x and y
-out vec4 vSnow;                      // the same, and the share of the sky that models leave open
+layout(location = 1) in vec4 aSnow;  // depth, its slope along x and y, sky that a hollow leaves
+out vec4 vSnow;                      // the same, and of the sky what models leave open as well
 #if defined(VALUES) || defined(PUBLISHED)
 layout(location = 2) in vec4 aLook;
 out vec4 vLook;
@@ -24,7 +24,7 @@ void main() {
 #endif
   vPosition = aPosition + vec3(0.0, 0.0, depth);
 #ifdef FINE
-  vSnow = vec4(aSnow, zenithVisibility(vPosition));
+  vSnow = vec4(aSnow.xyz, aSnow.w * mix(0.25, 1.0, zenithVisibility(vPosition)));
 #if defined(VALUES) || defined(PUBLISHED)
   vLook = aLook;
 #endif

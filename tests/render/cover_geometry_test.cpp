@@ -164,6 +164,20 @@ TEST(FineCover, MeetsTheCoarseCoverAtItsBorderAndIsItselfInside) {
   EXPECT_GT(snow[grid.base.index(3, 40)].y, 0.05f) << "rises from the border inwards";
 }
 
+TEST(FineCover, HollowsSeeLessOfTheSky) {
+  CoverGrid grid{"terrain/fine0", "terrain", Raster<float>(60, 60, 0.0, 0.0, 0.25, 0.0f), {}};
+  const Raster<float> coarse(4, 4, 0.0, 0.0, 5.0, 0.4f);
+  std::vector<float> depth(grid.base.size(), 0.4f);
+  for (int j = 28; j < 34; ++j)
+    for (int i = 28; i < 34; ++i) depth[grid.base.index(i, j)] = 0.0f;
+  const auto snow = fineCoverSnow(makeFineCover(grid), grid, depth, coarse);
+  EXPECT_LT(snow[grid.base.index(30, 30)].w, 0.8f) << "in the hollow";
+  EXPECT_GE(snow[grid.base.index(30, 30)].w, 0.6f);
+  EXPECT_FLOAT_EQ(snow[grid.base.index(26, 30)].w, 1.0f) << "beside it";
+  EXPECT_NEAR(snow[grid.base.index(50, 50)].w, 1.0f, 1e-5f) << "level";
+  EXPECT_NEAR(snow[grid.base.index(0, 0)].w, 1.0f, 1e-5f) << "in the corner";
+}
+
 TEST(FineCover, BlocksCoverTheGridAtEveryStride) {
   CoverGrid grid{"terrain/fine0", "terrain", Raster<float>(71, 45, 0.0, 0.0, 0.25, 0.0f), {}};
   const FineCover fine = makeFineCover(grid);

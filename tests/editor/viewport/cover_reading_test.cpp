@@ -112,6 +112,13 @@ class CoverReadingTest : public QObject {
             readingText(*none).contains(QLatin1String("\u22124.0")));
   }
 
+  void zeroHasNoSign() {
+    CoverReading reading;
+    reading.values.fill(std::nanf(""));
+    reading.values[static_cast<std::size_t>(SnowDisplay::Temperature)] = -0.01f;
+    QVERIFY(readingText(reading).contains(QLatin1String(" 0.0")));
+  }
+
   /// The line follows the pointer, and goes when the pointer leaves or the user does not want it.
   void theViewportTells() {
     const SnapshotPointer scene = test::hillSnapshot();
