@@ -28,9 +28,17 @@ struct FineCover {
 };
 FineCover makeFineCover(const CoverGrid& grid);
 /// Per cell: drawn depth in m, its slope along x and y, and the share of the sky's light that snow round a
-/// hollow leaves it, 0..1. `coarseDepth` has the terrain raster's shape.
+/// hollow leaves it, 0.6..1; 0 where there is no surface. `coarseDepth` has the terrain raster's shape.
 std::vector<Vec4f> fineCoverSnow(const FineCover& fine, const CoverGrid& grid,
                                  const std::vector<float>& depth, const Raster<float>& coarseDepth);
+
+/// How a fine grid is drawn whose cells are so many pixels wide: at every 2^level-th cell, moved by the share
+/// `morph` towards the surface of the next level, which it has reached where that takes over.
+struct FineDetail {
+  int level = 0;
+  double morph = 0.0;
+};
+FineDetail fineDetail(double cellPixels);
 
 /// Drawable form of a cover patch on a model: one vertex per cell and a rim half a cell further out, where
 /// the surface ends and the snow has no height.

@@ -277,19 +277,24 @@ std::vector<Vec4f> CoverPass::cuts() const {
 
 void CoverPass::drawFine(const DrawContext& context) const {
   if (!hasSnow()) return;
-  m_finePrograms[static_cast<std::size_t>(context.look)].use();
+  const GlProgram& program = m_finePrograms[static_cast<std::size_t>(context.look)];
+  program.use();
   glBindVertexArray(m_fineArray.id());
   for (const Fine& fine : m_fine) {
     if (!context.frustum.mayShow(fine.geometry.bounds)) continue;
+    const Raster<float>& base = m_layout->grids[fine.grid].base;
     const double distance = distanceTo(fine.geometry.bounds, context.camera.position);
-    const double pixels =
-        m_layout->grids[fine.grid].base.cellSize * context.pixelsPerUnit / std::max(distance, 1.0);
-    const std::size_t stride = pixels > 3.0 ? 0 : pixels > 1.5 ? 1 : 2;
+    const FineDetail detail = fineDetail(base.cellSize * context.pixelsPerUnit / std::max(distance, 1.0));
+    program.set("uLattice", base.width, base.height, 1 << detail.level, FineCover::kBlock);
+    program.set("uMorph", static_cast<float>(detail.morph));
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, fine.positions.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, fine.snow.id());
     bindBuffers(m_fineArray, fine.positions, fine.snow, fine.looks, fine.indices);
     for (std::size_t b = 0; b < fine.geometry.blocks.size(); ++b) {
       const FineCover::Block& block = fine.geometry.blocks[b];
+      const auto level = static_cast<std::size_t>(detail.level);
       if (context.frustum.mayShow(block.bounds))
-        drawIndices(fine.first[b][stride], block.indices[stride].size());
+        drawIndices(fine.first[b][level], block.indices[level].size());
     }
   }
 }

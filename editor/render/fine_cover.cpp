@@ -81,7 +81,9 @@ void addHollows(const Raster<float>& base, std::vector<Vec4f>& snow) {
   const auto side = static_cast<float>(2 * reach + 1);
   const float scale = kShare / (static_cast<float>(reach) * static_cast<float>(base.cellSize));
   for (std::size_t k = 0; k < snow.size(); ++k)
-    snow[k].w = std::clamp(1.0f - scale * (mean[k] / (side * side) - snow[k].x), kDarkest, 1.0f);
+    snow[k].w = std::isnan(base.values[k])
+                    ? 0.0f
+                    : std::clamp(1.0f - scale * (mean[k] / (side * side) - snow[k].x), kDarkest, 1.0f);
 }
 
 }  // namespace
@@ -107,6 +109,15 @@ FineCover makeFineCover(const CoverGrid& grid) {
   fine.rectangle = {static_cast<float>(base.x(0)), static_cast<float>(base.y(0)),
                     static_cast<float>(base.x(base.width - 1)), static_cast<float>(base.y(base.height - 1))};
   return fine;
+}
+
+FineDetail fineDetail(double cellPixels) {
+  constexpr double kFinest = 3.0, kMiddle = 1.5;  // pixels from which on the first two levels are drawn
+  constexpr double kBegins = 1.45;                // times these the movement begins
+  const int level = cellPixels > kFinest ? 0 : cellPixels > kMiddle ? 1 : 2;
+  if (level == 2) return {level, 0.0};
+  const double ends = level == 0 ? kFinest : kMiddle;
+  return {level, std::clamp((kBegins * ends - cellPixels) / ((kBegins - 1.0) * ends), 0.0, 1.0)};
 }
 
 std::vector<Vec4f> fineCoverSnow(const FineCover& fine, const CoverGrid& grid,

@@ -29,6 +29,9 @@ class GlProgram {
   GLuint id() const { return m_id; }
 
   void set(const char* name, int value) const { glProgramUniform1i(m_id, location(name), value); }
+  void set(const char* name, int x, int y, int z, int w) const {
+    glProgramUniform4i(m_id, location(name), x, y, z, w);
+  }
   void set(const char* name, float value) const { glProgramUniform1f(m_id, location(name), value); }
   void set(const char* name, float x, float y, float z, float w) const {
     glProgramUniform4f(m_id, location(name), x, y, z, w);

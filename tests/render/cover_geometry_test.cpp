@@ -178,6 +178,18 @@ TEST(FineCover, HollowsSeeLessOfTheSky) {
   EXPECT_NEAR(snow[grid.base.index(0, 0)].w, 1.0f, 1e-5f) << "in the corner";
 }
 
+TEST(FineCover, LevelsTakeOverWhereTheFinerHasBecomeTheCoarser) {
+  EXPECT_EQ(fineDetail(10.0).level, 0);
+  EXPECT_EQ(fineDetail(10.0).morph, 0.0);
+  EXPECT_EQ(fineDetail(3.0001).level, 0);
+  EXPECT_NEAR(fineDetail(3.0001).morph, 1.0, 1e-3);
+  EXPECT_EQ(fineDetail(2.9999).level, 1);
+  EXPECT_EQ(fineDetail(2.9999).morph, 0.0) << "begins as it is";
+  EXPECT_NEAR(fineDetail(1.5001).morph, 1.0, 1e-3);
+  EXPECT_EQ(fineDetail(0.1).level, 2);
+  EXPECT_EQ(fineDetail(0.1).morph, 0.0) << "there is no coarser level";
+}
+
 TEST(FineCover, BlocksCoverTheGridAtEveryStride) {
   CoverGrid grid{"terrain/fine0", "terrain", Raster<float>(71, 45, 0.0, 0.0, 0.25, 0.0f), {}};
   const FineCover fine = makeFineCover(grid);

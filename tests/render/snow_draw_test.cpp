@@ -264,6 +264,35 @@ TEST_F(SnowDraw, NothingPopsAsTheCameraComesNear) {
   EXPECT_GT(std::accumulate(steps.begin(), steps.end(), 0.0), 20.0) << "the box is in the picture";
 }
 
+/// The same over a fine grid on the ground, of which fewer vertices are drawn with distance.
+TEST_F(SnowDraw, NothingPopsOnFineGridsAsTheCameraComesNear) {
+  const SnapshotPointer scene = meadow().build();
+  auto frame = frameWithCover(*scene, [](int, int) { return 0.3; });
+  CoverGrid fine{"terrain/fine0", "terrain", Raster<float>(96, 96, 148.125, 148.125, 0.25, 0.0f), {}};
+  fine.area = fine.base.sameShape<float>(0.0625f);
+  std::vector<float> depth;
+  for (int j = 0; j < 96; ++j)
+    for (int i = 0; i < 96; ++i) depth.push_back((i * 7 + j * 3) % 11 < 2 ? 0.1f : 0.4f);
+  addGrid(*frame, fine, depth);
+  RenderOptions options = sized(128, 96);
+  options.samples = 4;
+  std::vector<double> steps;
+  Picture before;
+  for (int k = 0; k <= 100; ++k) {
+    const double distance = 50.0 * std::pow(0.985, k);
+    const Vec3d eye{160.0, 148.0 - distance * 0.94, 1.0 + distance * 0.34};
+    const Picture now = draw(scene, frame, {eye, {160, 160, 0}, 30}, options);
+    double sum = 0.0;
+    for (int y = 40; k > 0 && y < 70; ++y)
+      for (int x = 48; x < 80; ++x) sum += std::abs(now.bright(x, y) - before.bright(x, y));
+    if (k > 0) steps.push_back(sum / (30.0 * 32.0));
+    before = now;
+  }
+  // A level that takes over from one step to the next changes this part by 10 to 12.
+  for (std::size_t k = 0; k < steps.size(); ++k) EXPECT_LT(steps[k], 5.0) << "step " << k;
+  EXPECT_GT(std::accumulate(steps.begin(), steps.end(), 0.0), 50.0) << "the drifts are in the picture";
+}
+
 TEST_F(PatchDraw, NoDepthNoDifference) {
   EXPECT_EQ(difference(drawBox(*this, 0.0, true), drawBox(*this, 0.0, false)), 0.0);
 }
