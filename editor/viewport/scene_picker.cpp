@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include "core/fields/terrain_surface.h"
 #include "core/nodes/camera_node.h"
@@ -31,9 +32,13 @@ ViewRay mapped(const ViewRay& ray, const Transform& toSpace) {
   return {toSpace.point(ray.origin), toSpace.vector(ray.direction)};
 }
 
-std::optional<double> hitMesh(const Mesh& mesh, const ViewRay& ray, double nearest) {
+Box3d boundsOf(const Mesh& mesh) {
   Box3d box;
   for (const Vec3f& p : mesh.positions) box.extend(p.to<double>());
+  return box;
+}
+
+std::optional<double> hitMesh(const Mesh& mesh, const Box3d& box, const ViewRay& ray, double nearest) {
   const auto enter = intersectBox(ray, box);
   if (!enter || *enter > nearest) return std::nullopt;
   std::optional<double> best;
@@ -49,11 +54,14 @@ std::optional<double> hitModel(const ModelData& model, const Transform& placemen
                                double nearest) {
   if (placement.determinant() == 0.0) return std::nullopt;
   std::optional<double> best;
+  // A forest has hundreds of instances of a mesh.
+  std::vector<Box3d> boxes;
+  for (const Mesh& mesh : model.meshes) boxes.push_back(boundsOf(mesh));
   for (const MeshInstance& instance : model.instances) {
     const Transform toLocal = placement * instance.transform;
     if (toLocal.determinant() == 0.0) continue;
-    const auto t = hitMesh(model.meshes[static_cast<std::size_t>(instance.mesh)],
-                           mapped(ray, toLocal.inverse()), nearest);
+    const auto mesh = static_cast<std::size_t>(instance.mesh);
+    const auto t = hitMesh(model.meshes[mesh], boxes[mesh], mapped(ray, toLocal.inverse()), nearest);
     if (t) best = nearest = *t;
   }
   return best;
