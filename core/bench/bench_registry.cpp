@@ -16,6 +16,7 @@ BenchCase exposureMapCase();
 BenchCase slopeCatchCase();
 BenchCase massCase();
 BenchCase windShadowCase();
+BenchCase panCase();
 BenchCase reposeCase();
 BenchCase driftMassCase();
 BenchCase windHillCase();
@@ -50,16 +51,47 @@ BenchCase flakeSpeedCase();
 
 const std::vector<BenchCase>& builtInBenchCases() {
   static const std::vector<BenchCase> cases = {
-      terminalSpeedCase(),  sizeSpectrumCase(),      flakeDimensionCase(), flutterCase(),
-      exposureEdgeCase(),   exposureRaytracedCase(), exposureMapCase(),    slopeCatchCase(),
-      massCase(),           windShadowCase(),        reposeCase(),         driftMassCase(),
-      windHillCase(),       meltFixedFluxCase(),     conductionStepCase(), degreeDayCase(),
-      seasonCase(),         snowSpeedCase(),         flakeSpeedCase(),     sphSpeedCase(),
-      hydrostaticCase(),    poiseuilleCase(),        couetteCase(),        channelPowerCase(),
-      channelBinghamCase(), channelHerschelCase(),   channelCrossCase(),   kernelSumsCase(),
-      damBreakCase(),       filmBinghamCase(),       filmCrossCase(),      slumpCase(),
-      granularColumnCase(), inclineSlipCase(),       penetrationCase(),    conservationCase(),
-      taylorGreenSphCase(), sphWorkPrecisionCase(),  buoyancyCase(),       sphParityCase(),
+      terminalSpeedCase(),
+      sizeSpectrumCase(),
+      flakeDimensionCase(),
+      flutterCase(),
+      exposureEdgeCase(),
+      exposureRaytracedCase(),
+      exposureMapCase(),
+      slopeCatchCase(),
+      massCase(),
+      windShadowCase(),
+      reposeCase(),
+      driftMassCase(),
+      panCase(),
+      windHillCase(),
+      meltFixedFluxCase(),
+      conductionStepCase(),
+      degreeDayCase(),
+      seasonCase(),
+      snowSpeedCase(),
+      flakeSpeedCase(),
+      sphSpeedCase(),
+      hydrostaticCase(),
+      poiseuilleCase(),
+      couetteCase(),
+      channelPowerCase(),
+      channelBinghamCase(),
+      channelHerschelCase(),
+      channelCrossCase(),
+      kernelSumsCase(),
+      damBreakCase(),
+      filmBinghamCase(),
+      filmCrossCase(),
+      slumpCase(),
+      granularColumnCase(),
+      inclineSlipCase(),
+      penetrationCase(),
+      conservationCase(),
+      taylorGreenSphCase(),
+      sphWorkPrecisionCase(),
+      buoyancyCase(),
+      sphParityCase(),
       twoFluidsStepCase(),
   };
   return cases;

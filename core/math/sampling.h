@@ -35,6 +35,7 @@ inline Vec2d squareToDisc(double u, double v) {
 /// Two unit vectors that with the unit vector n form a right-handed frame.
 struct Frame3d {
   Vec3d s, t, n;
+  friend bool operator==(const Frame3d&, const Frame3d&) = default;
 };
 inline Frame3d frameAround(Vec3d n) {
   const Vec3d helper = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};

@@ -108,6 +108,7 @@ struct Box3d {
   Vec3d min{1e300, 1e300, 1e300};
   Vec3d max{-1e300, -1e300, -1e300};
 
+  friend bool operator==(const Box3d&, const Box3d&) = default;
   bool empty() const { return min.x > max.x; }
   void extend(Vec3d p) {
     min = {std::fmin(min.x, p.x), std::fmin(min.y, p.y), std::fmin(min.z, p.z)};

@@ -24,6 +24,8 @@ struct SlopeHold {
     const double s = (shedsAbove - slope) / (shedsAbove - holdsBelow);
     return s * s * (3.0 - 2.0 * s);
   }
+
+  friend bool operator==(const SlopeHold&, const SlopeHold&) = default;
 };
 
 }  // namespace spin

@@ -23,6 +23,11 @@ class FlowSolver;
 /// Makes the particle solver on the device that a run was asked for; empty: on the processor.
 using FlowSolverFactory = std::function<Result<std::unique_ptr<FlowSolver>>(const FlowConfig&)>;
 
+class MapRaster;
+class Occluders;
+/// Makes what draws occlusion maps on that device; empty, or null made: on the processor.
+using MapRasterFactory = std::function<std::unique_ptr<MapRaster>(const Occluders&)>;
+
 /// What processes hand to each other within a step, by type: the exposure to the cover, the weather to all.
 class Exchange {
  public:
@@ -52,6 +57,7 @@ struct ProcessContext {
   std::function<void(double)> progress;  ///< fraction 0..1 of the current step; may be empty
   Isa isa = bestIsa();                   ///< instruction set of hot loops
   FlowSolverFactory makeFlowSolver = {};
+  MapRasterFactory makeMapRaster = {};
 };
 
 /// A step from one frame to the next.

@@ -19,7 +19,8 @@ struct RunOptions {
   std::string isa = "auto";  ///< auto | avx512 | avx2 | baseline; part of the backend's name and the keys
   RaySceneFactory makeRayScene = makeBvhRayScene;
   FlowSolverFactory makeFlowSolver = {};  ///< empty: on the processor, with `isa`
-  std::string flowDevice;                 ///< what makeFlowSolver computes on ("cuda-sm90"); part of the keys
+  MapRasterFactory makeMapRaster = {};    ///< likewise
+  std::string device;                     ///< what these two compute on ("cuda-sm90"); part of the keys
   bool lowPriority = false;               ///< leave the processor to the user's window (Runner always does)
   std::vector<ProcessType> types = processTypes();  ///< the processes to choose from
 };

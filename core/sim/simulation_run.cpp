@@ -52,8 +52,7 @@ class SimulationRun {
         m_cancel(cancel),
         m_backend(options.threads),
         m_isa(chooseIsa(options.isa) ? *chooseIsa(options.isa) : bestIsa()),
-        m_backendName(backendName(options.isa) +
-                      (options.flowDevice.empty() ? "" : "+" + options.flowDevice)),
+        m_backendName(backendName(options.isa) + (options.device.empty() ? "" : "+" + options.device)),
         m_pipeline(Pipeline::compile(scene, options.types)),
         m_settings(scene.settings<SimulationNode>(0.0)) {
     if (options.lowPriority) m_lowPriority.emplace(m_backend.arena());
@@ -107,7 +106,8 @@ ProcessContext SimulationRun::context() {
           m_pipeline.exchange(),
           [this](double fraction) { report(fraction, false); },
           m_isa,
-          m_options.makeFlowSolver};
+          m_options.makeFlowSolver,
+          m_options.makeMapRaster};
 }
 
 void SimulationRun::discardState() {
@@ -302,7 +302,7 @@ std::string backendName(const std::string& isa) {
 std::vector<Hash128> frameKeys(const SceneSnapshot& scene, const RunOptions& options) {
   const std::string caster = options.makeRayScene ? options.makeRayScene()->name() : "none";
   std::string backend = fmt::format("{}+{}", backendName(options.isa), caster);
-  if (!options.flowDevice.empty()) backend += "+" + options.flowDevice;
+  if (!options.device.empty()) backend += "+" + options.device;
   return frameKeys(scene, Pipeline::compile(scene, options.types), backend, options.lastFrame);
 }
 

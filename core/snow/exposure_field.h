@@ -7,6 +7,8 @@
 #include "core/base/cancel.h"
 #include "core/base/parallel.h"
 #include "core/physics/slope_hold.h"
+#include "core/sim/process.h"
+#include "core/snow/sky_change.h"
 #include "core/snow/snow_scene.h"
 #include "core/snow/snow_weather.h"
 
@@ -21,6 +23,8 @@ struct ExposureSettings {
   SlopeHold hold;
   double noise = 0.0;  ///< amplitude of the cover's unevenness, 0..1
   std::uint64_t seed = 1;
+
+  friend bool operator==(const ExposureSettings&, const ExposureSettings&) = default;
 };
 
 /// Where the snow of one set of fall directions goes, per precipitation rate: kg/s per kg/(m2 s), that is m2.
@@ -64,24 +68,55 @@ struct Workshop {
   CpuBackend& backend;
   const CancelToken& cancel;
   std::function<void(double)> progress;  ///< fraction 0..1, called from the calling thread; may be empty
+  MapRasterFactory makeMapRaster = {};
 };
 
-/// Casts the rays. Deterministic whatever the thread count. Fails only with ErrorKind::Cancelled.
+/// What the cells of a cover found when they asked the sky, before smoothing and noise.
+struct GatheredCover {
+  struct Cells {
+    std::vector<float> exposure, held;  ///< as in ExposureField::Values
+    std::vector<float> shed;            ///< like held: what arrives and does not stay
+    std::vector<float> halves;          ///< half the difference of two halves of the rays; NaN: no cell
+    bool asked = false;                 ///< some of them, the last time
+  };
+  std::vector<Cells> grids;  ///< by the layout's grids
+};
+
+/// What outlives one exposure field: where a model moves, only cells that see it are asked again.
+struct ExposureMemory {
+  struct Standing {
+    ExposureSettings settings;
+    Box3d domain;
+    std::vector<StandingModel> models;
+  };
+  std::optional<Standing> standing;  ///< that `gathered` is of; none: ask all
+  GatheredCover gathered;
+  std::vector<std::vector<float>> smooth;  ///< deposit of the fine grids without the land's facets, by grid
+  std::vector<std::vector<float>> uneven;  ///< 1 + noise, by grid
+};
+
+/// Casts the rays. Deterministic whatever the thread count; with a memory of the same run's ground the same
+/// as without. Fails only with ErrorKind::Cancelled.
 Result<ExposureField> makeExposureField(const SceneSnapshot& snapshot, const SnowGround& ground,
                                         const SnowScene& scene, const ExposureSettings& settings,
-                                        const Workshop& workshop);
+                                        const Workshop& workshop, ExposureMemory* memory = nullptr);
 
-/// Fills grids and the gathered deposit, shed, ground and models (patches only).
+/// Asks the cells that the change reaches. Half done when cancelled.
 Status gatherCover(const SceneSnapshot& snapshot, const SnowGround& ground, const SnowScene& scene,
-                   const ExposureSettings& settings, const Workshop& workshop, ExposureField& field);
+                   const ExposureSettings& settings, const SkyChange& change, const Workshop& workshop,
+                   GatheredCover& cover);
+/// Fills the gathered deposit, shed, ground and models (patches only), and the sampling error.
+void sumGathered(const SnowGround& ground, const GatheredCover& cover, int rays, const Workshop& workshop,
+                 ExposureField& field);
 /// Fills the rest of the rates: emission, forward packets, what leaves, what bare model surfaces shed.
 Status estimateRates(const SceneSnapshot& snapshot, const SnowGround& ground, const SnowScene& scene,
                      const ExposureSettings& settings, const Workshop& workshop, SnowRates& rates);
 
 /// Takes the facets of the elevation model out of the fine grids' deposit: at their size a facet of the
-/// triangulation is no feature of the ground. The mass on each grid stays.
+/// triangulation is no feature of the ground. The mass on each grid stays. Only grids that were asked the
+/// last time.
 void smoothFacets(const SceneSnapshot& snapshot, const SnowGround& ground, const ExposureSettings& settings,
-                  const Workshop& workshop, ExposureField& field);
+                  const Workshop& workshop, ExposureMemory& memory);
 
 /// ErrorKind::Cancelled.
 Error cancelledError();

@@ -50,7 +50,7 @@ Hash128 keyOf(const ExposureSettings& settings, const SceneSnapshot& scene, doub
   return hasher.digest();
 }
 
-/// Holds the exposure and casts rays again only when the directions of fall or a model's place changed. It is
+/// Holds the exposure and asks again only when the directions of fall changed, or where a model moved. It is
 /// a pure function of those, so a checkpoint need not store it.
 class ExposureProcess final : public Process {
  public:
@@ -95,6 +95,9 @@ class ExposureProcess final : public Process {
   void prepare(const SceneSnapshot& scene, ProcessContext& context) {
     m_field = nullptr;
     m_key = {};
+    m_memory = {};
+    m_scenes.emplace(context.makeRayScene);
+    m_places.reset();
     m_motion = std::make_shared<SnowMotion>();
     context.exchange.emplace<SnowMotionPointer>(m_motion);
     m_ground = makeSnowGround(scene);
@@ -106,19 +109,18 @@ class ExposureProcess final : public Process {
     const ExposureSettings settings = exposureSettings(scene, filmTime);
     const Hash128 key = keyOf(settings, scene, filmTime);
     if (m_field && key == m_key) return {};
-    const std::optional<SnowScene> standing = [&] {
+    std::optional<SnowScene> made = [&] {
       ScopedStage stage(context.backend.timings(), "ray scene");
-      return makeSnowScene(scene, *m_ground, filmTime, context.makeRayScene, context.cancel);
+      return m_scenes->at(scene, *m_ground, filmTime, context.cancel);
     }();
-    if (!standing) return cancelledError();
+    if (!made) return cancelledError();
+    const auto standing = std::make_shared<const SnowScene>(std::move(*made));
     const Hash128 places = placesOf(scene, filmTime);
-    if (!m_motion->placed() || !(places == m_places)) {
-      ScopedStage stage(context.backend.timings(), "cover graph");
-      m_motion->place(scene, m_ground, *standing);
-      m_places = places;
-    }
+    if (!m_places || !(places == *m_places)) m_motion->place(m_ground, standing);
+    m_places = places;
     auto field = makeExposureField(scene, *m_ground, *standing, settings,
-                                   {context.backend, context.cancel, context.progress});
+                                   {context.backend, context.cancel, context.progress, context.makeMapRaster},
+                                   &m_memory);
     if (!field) return field.error();
     m_field = std::make_shared<const ExposureField>(std::move(field.value()));
     m_key = key;
@@ -129,8 +131,10 @@ class ExposureProcess final : public Process {
   SnowGroundPointer m_ground;
   ExposureFieldPointer m_field;
   Hash128 m_key;
+  std::optional<SnowSceneMaker> m_scenes;
+  ExposureMemory m_memory;
   SnowMotionPointer m_motion;
-  Hash128 m_places;  ///< of the models that it was placed for
+  std::optional<Hash128> m_places;  ///< of the models that it was placed for
 };
 
 }  // namespace

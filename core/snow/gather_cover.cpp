@@ -7,9 +7,10 @@
 
 #include "core/base/random.h"
 #include "core/math/sampling.h"
+#include "core/snow/cell_mask.h"
 #include "core/snow/cell_samplers.h"
 #include "core/snow/exposure_field.h"
-#include "core/snow/occlusion_map.h"
+#include "core/snow/shared_maps.h"
 
 namespace spin {
 namespace {
@@ -18,34 +19,54 @@ constexpr std::size_t kBatch = 64;         ///< rays handed to the caster at onc
 constexpr std::size_t kCellChunk = 32;     ///< cells a thread takes at once
 constexpr std::size_t kCellBlock = 16384;  ///< cells between two reports of progress
 
-/// Lowest and highest point of a grid, the first above the second where it has none.
-std::pair<double, double> heightsOf(const CoverGrid& grid) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const float z : grid.base.values) {
-    if (std::isnan(z)) continue;
-    low = std::min(low, static_cast<double>(z));
-    high = std::max(high, static_cast<double>(z));
-  }
-  return {low, high};
+/// Box of a grid's cells in its own axes; empty where it has none.
+Box3d gridBox(const CoverGrid& grid) {
+  Box3d box;
+  const Raster<float>& base = grid.base;
+  const double half = 0.5 * base.cellSize;
+  for (const float z : base.values)
+    if (!std::isnan(z)) box.extend(Vec3d{base.originX, base.originY, static_cast<double>(z)});
+  if (box.empty()) return box;
+  box.min = {base.originX - half, base.originY - half, box.min.z};
+  box.max = {base.x(base.width - 1) + half, base.y(base.height - 1) + half, box.max.z};
+  return box;
 }
+
+/// Box of what a patch covers, about its model's position.
+Box3d patchBox(const ModelGround& model, const ModelPatch& patch, const CoverGrid& grid) {
+  Box3d box = gridBox(grid);
+  for (const PatchPiece& piece : patch.pieces)
+    for (const Vec3f& p : model.triangles[piece.source].corners) {
+      box.min.z = std::min(box.min.z, static_cast<double>(p.z));
+      box.max.z = std::max(box.max.z, static_cast<double>(p.z));
+    }
+  return box;
+}
+
+/// Over the cells of a grid: m2, and the count.
+struct GridSums {
+  double held = 0.0, shed = 0.0, halfSquares = 0.0, cells = 0.0;
+  static GridSums add(const GridSums& a, const GridSums& b) {
+    return {a.held + b.held, a.shed + b.shed, a.halfSquares + b.halfSquares, a.cells + b.cells};
+  }
+};
 
 struct CellSums {
   double visible = 0.0, visibleFirstHalf = 0.0;
   double held = 0.0, shed = 0.0;
 };
 
-/// Sums over the cells of a chunk, m2.
-struct ChunkSums {
-  double held = 0.0, shed = 0.0;
-  double halfSquares = 0.0;
-  double cells = 0.0;
-};
-
 struct Gather {
   const SnowScene& scene;
   const ExposureSettings& settings;
+  const SkyChange& change;
+  const Workshop& workshop;
   std::vector<std::array<std::uint32_t, 4>> points;
-  const Occluders* occluders = nullptr;  ///< for maps
+  std::optional<Occluders> occluders;  ///< for maps
+  std::unique_ptr<MapRaster> raster;   ///< that draws them elsewhere
+
+  /// Texels beside a point that its comparison with a map asks.
+  double margin(double cellSize) const { return occluders ? 2.0 * cellSize : 0.01 * cellSize; }
 };
 
 /// Casts the rays of one cell: two dimensions of the net choose the point, two the direction.
@@ -104,93 +125,6 @@ CellSums gatherFromMaps(const Gather& gather, const std::vector<OcclusionMap>& m
   return sums;
 }
 
-/// A grid where it stands, less the snow scene's centre.
-struct GridPlace {
-  std::size_t grid = 0;
-  std::size_t model = 0, patch = 0;  ///< of a model's patch
-  Box3d box;
-  double cellSize = 1.0;
-};
-
-GridPlace placeOf(const Gather& gather, const CoverGrid& grid, std::size_t index, Vec3d place) {
-  GridPlace at;
-  at.grid = index;
-  at.cellSize = grid.base.cellSize;
-  const auto [low, high] = heightsOf(grid);
-  if (!(low <= high)) return at;
-  const Raster<float>& base = grid.base;
-  const double half = 0.5 * base.cellSize;
-  const Vec3d move = place - gather.scene.centre;
-  at.box.extend(move + Vec3d{base.originX - half, base.originY - half, low});
-  at.box.extend(move + Vec3d{base.x(base.width - 1) + half, base.y(base.height - 1) + half, high});
-  return at;
-}
-
-/// Maps for grids in a row, one for each of the directions that are evenly spread over the cone. Texels of
-/// half a cell, or what the largest map allows; neighbours that fit into one map share it.
-class SharedMaps {
- public:
-  SharedMaps(const Gather& gather, const Workshop& workshop) : m_gather(gather), m_workshop(workshop) {}
-
-  /// Maps that show places[index]; called with ascending indices of the same places. Empty without maps.
-  const std::vector<OcclusionMap>& at(const std::vector<GridPlace>& places, std::size_t index) {
-    if (!m_gather.occluders || index < m_end || places[index].box.empty()) return m_maps;
-    Box3d box = places[index].box;
-    const double half = 0.5 * places[index].cellSize, most = 0.9 * half * m_gather.settings.mapSize;
-    for (m_end = index + 1; m_end < places.size(); ++m_end) {
-      Box3d joined = box;
-      if (!places[m_end].box.empty()) joined.extend(places[m_end].box);
-      if (places[m_end].cellSize != places[index].cellSize || length(joined.size()) > most) break;
-      box = joined;
-    }
-    draw(box, half);
-    return m_maps;
-  }
-
- private:
-  void draw(const Box3d& box, double texel) {
-    std::vector<Vec3d> corners;
-    for (int k = 0; k < 8; ++k)
-      corners.push_back(
-          {k & 1 ? box.max.x : box.min.x, k & 2 ? box.max.y : box.min.y, k & 4 ? box.max.z : box.min.z});
-    m_maps.clear();
-    for (const auto& words : sobolPoints(static_cast<std::size_t>(m_gather.settings.mapDirections))) {
-      if (m_workshop.cancel.cancelled()) return;
-      const Vec3d fall = m_gather.settings.cone.direction(shifted(words[2], 0), shifted(words[3], 0));
-      m_maps.emplace_back(*m_gather.occluders,
-                          MapView::round(corners, fall, texel, m_gather.settings.mapSize), m_workshop.backend,
-                          m_workshop.cancel);
-    }
-  }
-
-  const Gather& m_gather;
-  const Workshop& m_workshop;
-  std::vector<OcclusionMap> m_maps;
-  std::size_t m_end = 0;  ///< of the places that the maps show
-};
-
-/// The patches of all models, neighbours one after the other.
-std::vector<GridPlace> patchPlaces(const Gather& gather, const SnowGround& ground) {
-  std::vector<GridPlace> places;
-  for (std::size_t m = 0; m < ground.models.size(); ++m)
-    for (std::size_t k = 0; k < ground.models[m].patches.size(); ++k) {
-      const std::size_t grid = ground.models[m].patches[k].grid;
-      places.push_back(
-          placeOf(gather, ground.layout->grids[grid], grid, gather.scene.models[m].placement.translation));
-      places.back().model = m;
-      places.back().patch = k;
-    }
-  const auto tileOf = [&](const GridPlace& p) {
-    const double tile = 0.25 * p.cellSize * gather.settings.mapSize;
-    const Vec3d centre = p.box.empty() ? Vec3d{} : p.box.centre();
-    return std::tuple(p.cellSize, std::floor(centre.x / tile), std::floor(centre.y / tile));
-  };
-  if (gather.occluders)
-    std::stable_sort(places.begin(), places.end(),
-                     [&](const GridPlace& a, const GridPlace& b) { return tileOf(a) < tileOf(b); });
-  return places;
-}
-
 /// Half the difference of the means of the two halves of the rays, which has the spread of the mean of all;
 /// with one ray there are no halves.
 double halfDifference(const CellSums& sums, std::size_t rays) {
@@ -201,99 +135,202 @@ double halfDifference(const CellSums& sums, std::size_t rays) {
   return 0.5 * (early - late);
 }
 
-/// All cells of one grid, by maps where there are some. False when cancelled.
+/// The cells of one grid that are asked, by maps where there are some. False when cancelled.
 template <class Sampler>
 bool gatherGrid(const Gather& gather, const std::vector<OcclusionMap>& maps, const Sampler& prototype,
-                const CoverGrid& grid, std::size_t gridIndex, const Workshop& workshop,
-                ExposureField::Values& values, ChunkSums& total,
+                const CellMask& mask, std::size_t gridIndex, GatheredCover::Cells& values,
                 const std::function<void(std::size_t)>& cellsDone) {
-  const std::size_t cells = grid.base.size();
-  values.exposure.assign(cells, 0.0f);
-  values.held.assign(cells, 0.0f);
+  const auto row = static_cast<std::size_t>(mask.width);
+  const std::size_t end = static_cast<std::size_t>(mask.toRow) * row;
+  values.asked = true;
   const CounterRandom random{gather.settings.seed, static_cast<std::uint32_t>(0x65787000u + gridIndex)};
   const double rays = static_cast<double>(gather.points.size());
-  for (std::size_t block = 0; block < cells; block += kCellBlock) {
-    const std::size_t count = std::min(kCellBlock, cells - block);
-    std::vector<ChunkSums> partial((count + kCellChunk - 1) / kCellChunk);
-    workshop.backend.forChunks(
-        "exposure", count, kCellChunk, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+  for (std::size_t block = static_cast<std::size_t>(mask.fromRow) * row; block < end; block += kCellBlock) {
+    const std::size_t count = std::min(kCellBlock, end - block);
+    gather.workshop.backend.forChunks(
+        "exposure", count, kCellChunk, [&](std::size_t first, std::size_t last, std::size_t) {
           Sampler sampler = prototype;
-          ChunkSums sums;
-          for (std::size_t cell = block + begin; cell < block + end; ++cell) {
-            if (workshop.cancel.cancelled()) return;
-            if (!sampler.enter(cell)) continue;
+          for (std::size_t cell = block + first; cell < block + last; ++cell) {
+            if (gather.workshop.cancel.cancelled()) return;
+            if (!mask.covers(cell) || !sampler.enter(cell)) continue;
             const CellSums found = maps.empty() ? gatherCell(gather, sampler, random.words(cell))
                                                 : gatherFromMaps(gather, maps, sampler, random.words(cell));
-            const double area = static_cast<double>(grid.area.values[cell]);
             values.exposure[cell] = static_cast<float>(found.visible / rays);
             values.held[cell] = static_cast<float>(found.held / rays);
-            sums.held += static_cast<double>(values.held[cell]) * area;
-            sums.shed += found.shed / rays * area;
-            const double halves = halfDifference(found, gather.points.size());
-            sums.halfSquares += halves * halves;
-            sums.cells += 1.0;
+            values.shed[cell] = static_cast<float>(found.shed / rays);
+            values.halves[cell] = static_cast<float>(halfDifference(found, gather.points.size()));
           }
-          partial[chunk] = sums;
         });
-    if (workshop.cancel.cancelled()) return false;
-    for (const ChunkSums& sums : partial) {
-      total.held += sums.held;
-      total.shed += sums.shed;
-      total.halfSquares += sums.halfSquares;
-      total.cells += sums.cells;
-    }
+    if (gather.workshop.cancel.cancelled()) return false;
     cellsDone(count);
   }
   return true;
 }
 
+/// Grids in a row and what of them is asked, with maps that neighbours share.
+struct AskedGrids {
+  std::vector<GridPlace> places;
+  std::vector<CellMask> masks;
+};
+
+/// Calls ask(place, mask, maps) for the grids of which something is asked. False when cancelled.
+template <class Ask>
+bool askGrids(const Gather& gather, const AskedGrids& grids, const Ask& ask) {
+  const SharedMaps shared(grids.places, gather.settings);
+  for (std::size_t first = 0; first < grids.places.size(); first = shared.groupEnd(first)) {
+    Box3d wanted;
+    for (std::size_t k = first; k < shared.groupEnd(first); ++k) wanted.extend(grids.masks[k].reached);
+    if (wanted.empty()) continue;
+    std::vector<OcclusionMap> maps;
+    if (gather.occluders) {
+      const double beside = gather.margin(grids.places[first].cellSize);
+      Box3d local;
+      local.extend(wanted.min - gather.scene.centre - Vec3d{beside, beside, beside});
+      local.extend(wanted.max - gather.scene.centre + Vec3d{beside, beside, beside});
+      maps = shared.draw(first, local, *gather.occluders, gather.raster.get(), gather.workshop);
+      if (gather.workshop.cancel.cancelled()) return false;
+    }
+    for (std::size_t k = first; k < shared.groupEnd(first); ++k)
+      if (!grids.masks[k].reached.empty() && !ask(grids.places[k], grids.masks[k], maps)) return false;
+  }
+  return true;
+}
+
+/// Tiles of a grid that a map shows at its finest, the whole grid without maps.
+std::vector<BlockTile> tilesOf(const Gather& gather, const LandBlocks& blocks, double cellSize) {
+  int side = std::max({blocks.across, blocks.down, 1});
+  if (gather.occluders) {
+    // The diagonal of a tile's box has to fit; the land's relief takes its part.
+    const double most = SharedMaps::largest(cellSize, gather.settings);
+    side = std::max(1, static_cast<int>(most / (1.6 * cellSize * LandBlocks::kSide)));
+  }
+  std::vector<BlockTile> tiles;
+  for (int row = 0; row < blocks.down; row += side)
+    for (int column = 0; column < blocks.across; column += side)
+      tiles.push_back(
+          {column, std::min(column + side, blocks.across), row, std::min(row + side, blocks.down)});
+  return tiles;
+}
+
+AskedGrids terrainGrids(const Gather& gather, const SnowGround& ground, const Raster<float>& heights) {
+  AskedGrids grids;
+  for (std::size_t t = 0; t < ground.terrain.size(); ++t) {
+    const TerrainGrid& terrain = ground.terrain[t];
+    const CoverGrid& cover = ground.layout->grids[terrain.grid];
+    GridPlace place;
+    place.grid = terrain.grid;
+    place.patch = t;
+    place.cellSize = cover.base.cellSize;
+    place.move = -gather.scene.centre;
+    const LandBlocks blocks(heights, terrain, cover);
+    for (const BlockTile& tile : tilesOf(gather, blocks, place.cellSize)) {
+      place.box = {};
+      for (int row = tile.fromRow; row < tile.toRow; ++row)
+        for (int column = tile.fromColumn; column < tile.toColumn; ++column)
+          place.box.extend(blocks.at(column, row));
+      grids.places.push_back(place);
+      grids.masks.push_back(
+          CellMask::onLand(gather.change, gather.margin(place.cellSize), blocks, tile, cover));
+    }
+  }
+  return grids;
+}
+
+AskedGrids patchGrids(const Gather& gather, const SnowGround& ground) {
+  AskedGrids grids;
+  for (std::size_t m = 0; m < ground.models.size(); ++m)
+    for (std::size_t k = 0; k < ground.models[m].patches.size(); ++k) {
+      GridPlace place;
+      place.grid = ground.models[m].patches[k].grid;
+      place.model = m;
+      place.patch = k;
+      place.cellSize = ground.layout->grids[place.grid].base.cellSize;
+      place.move = gather.scene.models[m].placement.translation - gather.scene.centre;
+      place.box = patchBox(ground.models[m], ground.models[m].patches[k], ground.layout->grids[place.grid]);
+      grids.places.push_back(place);
+    }
+  if (gather.occluders) sortForMaps(grids.places, gather.settings);
+  for (const GridPlace& place : grids.places)
+    grids.masks.push_back(CellMask::ofPatch(gather.change, gather.margin(place.cellSize), place.model,
+                                            place.moved(gather.scene.centre),
+                                            ground.layout->grids[place.grid]));
+  return grids;
+}
+
+void prepare(const CoverLayout& layout, const SkyChange& change, GatheredCover& cover) {
+  cover.grids.resize(layout.grids.size());
+  for (std::size_t g = 0; g < layout.grids.size(); ++g) {
+    GatheredCover::Cells& cells = cover.grids[g];
+    cells.asked = false;
+    if (!change.isEverywhere()) continue;
+    const std::size_t count = layout.grids[g].base.size();
+    cells.exposure.assign(count, 0.0f);
+    cells.held.assign(count, 0.0f);
+    cells.shed.assign(count, 0.0f);
+    cells.halves.assign(count, std::numeric_limits<float>::quiet_NaN());
+  }
+}
+
 }  // namespace
 
 Status gatherCover(const SceneSnapshot& snapshot, const SnowGround& ground, const SnowScene& scene,
-                   const ExposureSettings& settings, const Workshop& workshop, ExposureField& field) {
+                   const ExposureSettings& settings, const SkyChange& change, const Workshop& workshop,
+                   GatheredCover& cover) {
   const CoverLayout& layout = *ground.layout;
-  field.grids.assign(layout.grids.size(), {});
-  for (std::size_t g = 0; g < layout.grids.size(); ++g) {
-    field.grids[g].exposure.assign(layout.grids[g].base.size(), 0.0f);
-    field.grids[g].held.assign(layout.grids[g].base.size(), 0.0f);
-  }
+  prepare(layout, change, cover);
   if (scene.domain.empty()) return {};
-  std::optional<Occluders> occluders;
-  if (settings.mapDirections > 0) occluders.emplace(snapshot, scene, workshop.cancel);
-  const Gather gather{scene, settings, sobolPoints(static_cast<std::size_t>(settings.rays)),
-                      occluders ? &*occluders : nullptr};
+  Gather gather{scene, settings, change, workshop, sobolPoints(static_cast<std::size_t>(settings.rays)),
+                {},    {}};
+  if (settings.mapDirections > 0) {
+    gather.occluders.emplace(snapshot, scene, workshop.cancel);
+    if (workshop.makeMapRaster) gather.raster = workshop.makeMapRaster(*gather.occluders);
+  }
+  AskedGrids patches = patchGrids(gather, ground), land;
+  if (!ground.terrain.empty()) land = terrainGrids(gather, ground, snapshot.terrain->heights);
   std::size_t cellCount = 0, cellsSoFar = 0;
-  for (const CoverGrid& grid : layout.grids) cellCount += grid.base.size();
+  for (AskedGrids* grids : {&patches, &land})
+    for (std::size_t k = 0; k < grids->places.size(); ++k)
+      if (!grids->masks[k].reached.empty()) cellCount += grids->masks[k].cells();
   const auto cellsDone = [&](std::size_t count) {
     cellsSoFar += count;
     if (workshop.progress)
       workshop.progress(static_cast<double>(cellsSoFar) / static_cast<double>(cellCount));
   };
-  ChunkSums onGround, onModels;
   if (!ground.terrain.empty()) {
     const TerrainSurface surface(snapshot.terrain->heights);
     const Raster<std::uint8_t> superseded = supersededQuads(surface.heights(), ground);
-    std::vector<GridPlace> places;
-    for (const TerrainGrid& terrain : ground.terrain)
-      places.push_back(placeOf(gather, layout.grids[terrain.grid], terrain.grid, {}));
-    SharedMaps maps(gather, workshop);
-    for (std::size_t t = 0; t < places.size(); ++t) {
-      const CoverGrid& cover = layout.grids[places[t].grid];
-      const TerrainCellSampler sampler(surface, ground.terrain[t], cover, superseded);
-      if (!gatherGrid(gather, maps.at(places, t), sampler, cover, places[t].grid, workshop,
-                      field.grids[places[t].grid], onGround, cellsDone))
-        return cancelledError();
-    }
+    const auto ask = [&](const GridPlace& at, const CellMask& mask, const std::vector<OcclusionMap>& maps) {
+      const TerrainCellSampler sampler(surface, ground.terrain[at.patch], layout.grids[at.grid], superseded);
+      return gatherGrid(gather, maps, sampler, mask, at.grid, cover.grids[at.grid], cellsDone);
+    };
+    if (!askGrids(gather, land, ask)) return cancelledError();
   }
-  const std::vector<GridPlace> patches = patchPlaces(gather, ground);
-  SharedMaps maps(gather, workshop);
-  for (std::size_t k = 0; k < patches.size(); ++k) {
-    const GridPlace& at = patches[k];
+  const auto ask = [&](const GridPlace& at, const CellMask& mask, const std::vector<OcclusionMap>& maps) {
     const PatchCellSampler sampler(ground.models[at.model], ground.models[at.model].patches[at.patch],
                                    scene.models[at.model].placement.translation);
-    if (!gatherGrid(gather, maps.at(patches, k), sampler, layout.grids[at.grid], at.grid, workshop,
-                    field.grids[at.grid], onModels, cellsDone))
-      return cancelledError();
+    return gatherGrid(gather, maps, sampler, mask, at.grid, cover.grids[at.grid], cellsDone);
+  };
+  if (!askGrids(gather, patches, ask)) return cancelledError();
+  return {};
+}
+
+void sumGathered(const SnowGround& ground, const GatheredCover& cover, int rays, const Workshop& workshop,
+                 ExposureField& field) {
+  std::vector<bool> isLand(cover.grids.size(), false);
+  for (const TerrainGrid& terrain : ground.terrain) isLand[terrain.grid] = true;
+  GridSums onGround, onModels;
+  for (std::size_t g = 0; g < cover.grids.size(); ++g) {
+    const GatheredCover::Cells& cells = cover.grids[g];
+    const std::vector<float>& areas = ground.layout->grids[g].area.values;
+    const auto ofCell = [&](std::size_t c) {
+      if (std::isnan(cells.halves[c])) return GridSums{};
+      const double area = static_cast<double>(areas[c]), halves = static_cast<double>(cells.halves[c]);
+      return GridSums{static_cast<double>(cells.held[c]) * area, static_cast<double>(cells.shed[c]) * area,
+                      halves * halves, 1.0};
+    };
+    GridSums& sums = isLand[g] ? onGround : onModels;
+    sums = GridSums::add(
+        sums, workshop.backend.reduce("exposure", cells.held.size(), GridSums{}, ofCell, GridSums::add));
   }
   field.rates.deposited = onGround.held + onModels.held;
   field.rates.shed = onGround.shed + onModels.shed;
@@ -301,9 +338,8 @@ Status gatherCover(const SceneSnapshot& snapshot, const SnowGround& ground, cons
   field.rates.gathered.models = onModels.held + onModels.shed;
   // Half the difference of two halves has the spread of the whole's mean.
   const double cells = onGround.cells + onModels.cells;
-  if (cells > 0.0 && settings.rays > 1)
+  if (cells > 0.0 && rays > 1)
     field.samplingRmse = std::sqrt((onGround.halfSquares + onModels.halfSquares) / cells);
-  return {};
 }
 
 }  // namespace spin

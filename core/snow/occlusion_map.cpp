@@ -15,89 +15,46 @@ constexpr float kNothing = std::numeric_limits<float>::infinity();
 constexpr int kBandRows = 16;
 constexpr std::size_t kBlocksAtOnce = 32;
 
-/// A triangle in texels, z its depth in m.
-struct DrawnTriangle {
+/// The corners of a triangle in texels, z their depth in m.
+struct ProjectedTriangle {
   Vec3f a, b, c;
 };
 
 /// What a task has found for one band of rows, by band.
-using Bins = std::vector<std::vector<DrawnTriangle>>;
+using Bins = std::vector<std::vector<ProjectedTriangle>>;
 
-/// Projects to texels whose centres are at whole numbers.
-class Projector {
- public:
-  explicit Projector(const MapView& view)
-      : m_s(view.frame.s.to<float>()),
-        m_t(view.frame.t.to<float>()),
-        m_n(view.frame.n.to<float>()),
-        m_scale(static_cast<float>(1.0 / view.texel)),
-        m_u(static_cast<float>(view.low[0] / view.texel + 0.5)),
-        m_v(static_cast<float>(view.low[1] / view.texel + 0.5)) {}
-
-  Vec3f operator()(const Vec3f& p) const {
-    return {dot(p, m_s) * m_scale - m_u, dot(p, m_t) * m_scale - m_v, dot(p, m_n)};
-  }
-  /// Whether a block's shadow can touch the map.
-  bool sees(const Occluders::Block& block, const MapView& view) const {
-    const Vec3f centre = (block.low + block.high) * 0.5f, half = (block.high - block.low) * 0.5f;
-    const auto reach = [&](const Vec3f& axis) {
-      return (std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z) * m_scale +
-             1.0f;
-    };
-    const Vec3f at = (*this)(centre);
-    const float ru = reach(m_s), rv = reach(m_t);
-    return at.x + ru >= 0.0f && at.x - ru <= static_cast<float>(view.columns) && at.y + rv >= 0.0f &&
-           at.y - rv <= static_cast<float>(view.rows);
-  }
-
- private:
-  Vec3f m_s, m_t, m_n;
-  float m_scale, m_u, m_v;
-};
-
-/// Texels within [low, high], clamped to [0, count).
-struct TexelRange {
-  int first, last;
-};
-TexelRange texelsIn(float low, float high, int count) {
-  const float most = static_cast<float>(count);
-  return {static_cast<int>(std::ceil(std::clamp(low, 0.0f, most))),
-          static_cast<int>(std::floor(std::clamp(high, -1.0f, most - 1.0f)))};
+/// Whether a block's shadow can touch what is drawn.
+bool sees(const MapProjection& project, const DrawnTexels& drawn, const Occluders::Block& block) {
+  const Vec3f centre = (block.low + block.high) * 0.5f, half = (block.high - block.low) * 0.5f;
+  const auto reach = [&](const Vec3f& axis) {
+    return (std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z) *
+               project.scale +
+           1.0f;
+  };
+  const Vec3f at = project(centre);
+  const float ru = reach(project.s), rv = reach(project.t);
+  return at.x + ru >= static_cast<float>(drawn.fromColumn) &&
+         at.x - ru <= static_cast<float>(drawn.toColumn) && at.y + rv >= static_cast<float>(drawn.fromRow) &&
+         at.y - rv <= static_cast<float>(drawn.toRow);
 }
 
-void bin(const DrawnTriangle& t, const MapView& view, Bins& bins) {
-  const auto [u0, u1] = std::minmax({t.a.x, t.b.x, t.c.x});
-  const TexelRange columns = texelsIn(u0, u1, view.columns);
-  if (columns.first > columns.last) return;
-  const auto [v0, v1] = std::minmax({t.a.y, t.b.y, t.c.y});
-  const TexelRange rows = texelsIn(v0, v1, view.rows);
-  if (rows.first > rows.last) return;
-  for (int band = rows.first / kBandRows; band <= rows.last / kBandRows; ++band)
+void bin(const ProjectedTriangle& t, const DrawnTexels& drawn, Bins& bins) {
+  DrawnTriangle triangle;
+  if (!triangle.set(t.a, t.b, t.c, drawn)) return;
+  for (int band = triangle.rows.first / kBandRows; band <= triangle.rows.last / kBandRows; ++band)
     bins[static_cast<std::size_t>(band)].push_back(t);
 }
 
-/// Draws the part of a triangle in rows [from, to) by its edge functions.
-void draw(const DrawnTriangle& t, const MapView& view, int from, int to, float* depth) {
-  const float doubled = (t.b.x - t.a.x) * (t.c.y - t.a.y) - (t.c.x - t.a.x) * (t.b.y - t.a.y);
-  if (doubled == 0.0f) return;
-  const float inverse = 1.0f / doubled;
-  // Weights of b and c grow linearly over the map.
-  const float bu = (t.c.y - t.a.y) * inverse, bv = (t.a.x - t.c.x) * inverse;
-  const float cu = (t.a.y - t.b.y) * inverse, cv = (t.b.x - t.a.x) * inverse;
-  const auto [v0, v1] = std::minmax({t.a.y, t.b.y, t.c.y});
-  const auto [u0, u1] = std::minmax({t.a.x, t.b.x, t.c.x});
-  const TexelRange columns = texelsIn(u0, u1, view.columns), rows = texelsIn(v0, v1, view.rows);
-  const float db = t.b.z - t.a.z, dc = t.c.z - t.a.z;
-  // On the border within rounding counts as inside: neighbours leave no gap.
-  constexpr float kEdge = -1e-5f;
-  for (int row = std::max(rows.first, from); row <= std::min(rows.last, to - 1); ++row) {
+/// Draws the part of a triangle in rows [from, to).
+void draw(const ProjectedTriangle& t, const MapView& view, int from, int to, float* depth) {
+  DrawnTriangle triangle;
+  if (!triangle.set(t.a, t.b, t.c, view.drawn)) return;
+  const int last = std::min(triangle.rows.last, to - 1);
+  for (int row = std::max(triangle.rows.first, from); row <= last; ++row) {
     float* line = depth + static_cast<std::size_t>(row) * static_cast<std::size_t>(view.columns);
-    const float y = static_cast<float>(row) - t.a.y;
-    for (int column = columns.first; column <= columns.last; ++column) {
-      const float x = static_cast<float>(column) - t.a.x;
-      const float b = bu * x + bv * y, c = cu * x + cv * y;
-      const bool inside = b >= kEdge && c >= kEdge && b + c <= 1.0f - kEdge;
-      const float z = t.a.z + b * db + c * dc;
+    for (int column = triangle.columns.first; column <= triangle.columns.last; ++column) {
+      float z = 0.0f;
+      const bool inside = triangle.at(static_cast<float>(column), static_cast<float>(row), z);
       line[column] = inside && z < line[column] ? z : line[column];
     }
   }
@@ -170,14 +127,42 @@ MapView MapView::round(const std::vector<Vec3d>& points, Vec3d fall, double want
   for (int k = 0; k < 2; ++k) view.low[k] = low[k] - 2.0 * view.texel;
   view.columns = static_cast<int>(std::ceil((high[0] - low[0]) / view.texel)) + 4;
   view.rows = static_cast<int>(std::ceil((high[1] - low[1]) / view.texel)) + 4;
+  view.drawn = {0, view.columns, 0, view.rows};
   return view;
+}
+
+void MapView::keep(const std::vector<Vec3d>& points) {
+  if (points.empty()) return;
+  Vec2d least = texelOf(points.front()), most = least;
+  for (const Vec3d& p : points) {
+    const Vec2d at = texelOf(p);
+    least = {std::min(least.x, at.x), std::min(least.y, at.y)};
+    most = {std::max(most.x, at.x), std::max(most.y, at.y)};
+  }
+  // One texel for the comparison of four round a point, one for rounding.
+  const auto bounded = [](double at, int count) {
+    return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(count)));
+  };
+  drawn.fromColumn = bounded(std::floor(least.x) - 2.0, columns),
+  drawn.toColumn = bounded(std::ceil(most.x) + 3.0, columns);
+  drawn.fromRow = bounded(std::floor(least.y) - 2.0, rows),
+  drawn.toRow = bounded(std::ceil(most.y) + 3.0, rows);
+}
+
+MapProjection MapView::projection() const {
+  return {frame.s.to<float>(),
+          frame.t.to<float>(),
+          frame.n.to<float>(),
+          static_cast<float>(1.0 / texel),
+          static_cast<float>(low[0] / texel + 0.5),
+          static_cast<float>(low[1] / texel + 0.5)};
 }
 
 OcclusionMap::OcclusionMap(const Occluders& occluders, const MapView& view, CpuBackend& backend,
                            const CancelToken& cancel)
     : m_view(view),
       m_depth(static_cast<std::size_t>(view.columns) * static_cast<std::size_t>(view.rows), kNothing) {
-  const Projector project(view);
+  const MapProjection project = view.projection();
   const auto bands = static_cast<std::size_t>((view.rows + kBandRows - 1) / kBandRows);
   const std::vector<Occluders::Block>& blocks = occluders.blocks();
   std::vector<Bins> found((blocks.size() + kBlocksAtOnce - 1) / kBlocksAtOnce);
@@ -186,13 +171,13 @@ OcclusionMap::OcclusionMap(const Occluders& occluders, const MapView& view, CpuB
                       if (cancel.cancelled()) return;
                       Bins& bins = found[chunk];
                       for (std::size_t block = begin; block < end; ++block) {
-                        if (!project.sees(blocks[block], view)) continue;
+                        if (!sees(project, view.drawn, blocks[block])) continue;
                         bins.resize(bands);
                         const std::size_t first = block * Occluders::kBlock;
                         const std::size_t last = std::min(first + Occluders::kBlock, occluders.size());
                         for (std::size_t k = first; k < last; ++k) {
                           const Occluders::Triangle& t = occluders.triangles()[k];
-                          bin({project(t[0]), project(t[1]), project(t[2])}, view, bins);
+                          bin({project(t[0]), project(t[1]), project(t[2])}, view.drawn, bins);
                         }
                       }
                     });
@@ -202,13 +187,12 @@ OcclusionMap::OcclusionMap(const Occluders& occluders, const MapView& view, CpuB
     const int from = static_cast<int>(band) * kBandRows, to = std::min(from + kBandRows, view.rows);
     for (const Bins& bins : found)
       if (!bins.empty())
-        for (const DrawnTriangle& t : bins[band]) draw(t, view, from, to, m_depth.data());
+        for (const ProjectedTriangle& t : bins[band]) draw(t, view, from, to, m_depth.data());
   });
 }
 
 double OcclusionMap::openness(Vec3d point, Vec3d normal) const {
-  const double u = (dot(point, m_view.frame.s) - m_view.low[0]) / m_view.texel - 0.5;
-  const double v = (dot(point, m_view.frame.t) - m_view.low[1]) / m_view.texel - 0.5;
+  const auto [u, v] = m_view.texelOf(point);
   const double own = dot(point, m_view.frame.n);
   const double floorU = std::floor(u), floorV = std::floor(v);
   const int i = static_cast<int>(floorU), j = static_cast<int>(floorV);

@@ -8,6 +8,8 @@
 #include "core/base/cancel.h"
 #include "core/base/parallel.h"
 #include "core/math/sampling.h"
+#include "core/snow/map_drawing.h"
+#include "core/snow/map_raster.h"
 #include "core/snow/snow_scene.h"
 
 namespace spin {
@@ -42,9 +44,17 @@ struct MapView {
   double low[2] = {0.0, 0.0};
   double texel = 1.0;  ///< m
   int columns = 0, rows = 0;
+  DrawnTexels drawn;  ///< all, or what keep() asks for; a texel holds the same in either case
 
   /// Smallest map round points, at most `most` texels along a side, of the texel wanted or larger.
   static MapView round(const std::vector<Vec3d>& points, Vec3d fall, double wantedTexel, int most);
+  /// Draws only what is needed to ask at the points, and between them.
+  void keep(const std::vector<Vec3d>& points);
+  MapProjection projection() const;
+  /// Where a point is seen, in texels whose centres are at whole numbers.
+  Vec2d texelOf(Vec3d point) const {
+    return {(dot(point, frame.s) - low[0]) / texel - 0.5, (dot(point, frame.t) - low[1]) / texel - 0.5};
+  }
 };
 
 /// Depth along a direction of fall of the first surface in every texel: a point is sheltered if something
@@ -55,6 +65,8 @@ class OcclusionMap {
   /// Draws the triangles that lie in the view; the same bits whatever the number of threads.
   OcclusionMap(const Occluders& occluders, const MapView& view, CpuBackend& backend,
                const CancelToken& cancel = {});
+  /// The same drawn elsewhere.
+  OcclusionMap(MapRaster& raster, const MapView& view) : m_view(view), m_depth(raster.draw(view)) {}
 
   const MapView& view() const { return m_view; }
   /// Depth in a texel, infinite where nothing is.

@@ -136,13 +136,16 @@ void smoothGrid(const CoverGrid& grid, int reach, const OpenDeposits& open, std:
 }  // namespace
 
 void smoothFacets(const SceneSnapshot& snapshot, const SnowGround& ground, const ExposureSettings& settings,
-                  const Workshop& workshop, ExposureField& field) {
+                  const Workshop& workshop, ExposureMemory& memory) {
+  memory.smooth.resize(memory.gathered.grids.size());
   if (ground.terrain.empty()) return;
   const TerrainSurface surface(snapshot.terrain->heights);
   for (const TerrainGrid& terrain : ground.terrain) {
-    if (terrain.refinement == 0) continue;
+    const GatheredCover::Cells& gathered = memory.gathered.grids[terrain.grid];
+    if (terrain.refinement == 0 || !gathered.asked) continue;
     const CoverGrid& grid = ground.layout->grids[terrain.grid];
-    std::vector<float>& held = field.grids[terrain.grid].held;
+    std::vector<float>& held = memory.smooth[terrain.grid];
+    held = gathered.held;
     smoothGrid(grid, terrain.refinement, openDeposits(grid, surface, held, settings, workshop), held);
   }
 }

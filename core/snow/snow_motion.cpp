@@ -50,20 +50,31 @@ MotionSettings motionSettings(const SceneSnapshot& scene, double filmTime) {
   return settings;
 }
 
-void SnowMotion::place(const SceneSnapshot& snapshot, SnowGroundPointer ground, const SnowScene& scene) {
-  const bool another = ground != m_ground;
+void SnowMotion::place(SnowGroundPointer ground, std::shared_ptr<const SnowScene> scene) {
+  if (ground != m_ground) m_field.reset();
   m_ground = std::move(ground);
-  m_graph = std::make_shared<const CoverGraph>(makeCoverGraph(*m_ground, &scene));
+  m_standing = std::move(scene);
+}
+
+const CoverGraph& SnowMotion::graph() {
+  if (!m_standing) return *m_graph;
+  m_graph = std::make_shared<const CoverGraph>(makeCoverGraph(*m_ground, m_standing.get()));
   m_slides.emplace(m_graph);
   m_drift.reset();
   m_windDegrees.reset();
-  m_obstacles = makeWindObstacles(snapshot, *m_ground, scene.models);
-  if (another) m_field.reset();
+  m_models = m_standing->models;
+  m_obstacles.reset();
+  m_standing.reset();
+  return *m_graph;
 }
 
 MotionTotals SnowMotion::step(const SceneSnapshot& snapshot, const MotionSettings& settings, double seconds,
                               const MovingSnow& snow, CpuBackend& backend) {
   SPIN_CHECK(placed(), "snow moves on a ground");
+  {
+    ScopedStage stage(backend.timings(), "cover graph");
+    graph();
+  }
   MotionTotals totals;
   const std::vector<double> none(snow.carried.size(), 0.0);
   totals.slid = totals.shed = totals.slidOut = totals.eroded = totals.deposited = none;
@@ -104,7 +115,8 @@ bool SnowMotion::turnTo(const SceneSnapshot& snapshot, const MotionSettings& set
       static_cast<int>(std::lround(radiansToDegrees(std::atan2(settings.wind10.y, settings.wind10.x))));
   if (m_windDegrees == degrees) return true;
   const double angle = degreesToRadians(static_cast<double>(degrees));
-  m_wind = groundWind(*m_graph, *m_field, m_obstacles, {std::cos(angle), std::sin(angle)},
+  if (!m_obstacles) m_obstacles = makeWindObstacles(snapshot, *m_ground, m_models);
+  m_wind = groundWind(*m_graph, *m_field, *m_obstacles, {std::cos(angle), std::sin(angle)},
                       settings.drift.roughness, settings.shelter, backend);
   if (!m_drift) m_drift.emplace(m_graph);
   m_drift->setDirections(m_wind.direction);

@@ -51,10 +51,11 @@ struct MovingSnow {
 /// depends on the scene at its time and on the snow only, so nothing of it need be saved.
 class SnowMotion {
  public:
-  /// For a run's ground and where its models stand; call again when one moved.
-  void place(const SceneSnapshot& snapshot, SnowGroundPointer ground, const SnowScene& scene);
-  bool placed() const { return m_graph != nullptr; }
-  const CoverGraph& graph() const { return *m_graph; }
+  /// For a run's ground and where its models stand; call again when one moved. The graph is made when snow
+  /// next moves or it is asked for.
+  void place(SnowGroundPointer ground, std::shared_ptr<const SnowScene> scene);
+  bool placed() const { return m_ground != nullptr; }
+  const CoverGraph& graph();
 
   /// Moves the snow for a time in s. The wind over the land is computed when it first matters, and its
   /// shelter again when it turned by a degree; both once for a scene's wind and models' places.
@@ -69,10 +70,12 @@ class SnowMotion {
   bool turnTo(const SceneSnapshot& snapshot, const MotionSettings& settings, CpuBackend& backend);
 
   SnowGroundPointer m_ground;
+  std::shared_ptr<const SnowScene> m_standing;  ///< that there is no graph of yet
   std::shared_ptr<const CoverGraph> m_graph;
   std::optional<SnowSlides> m_slides;
   std::optional<SnowDrift> m_drift;
-  WindObstacles m_obstacles;
+  std::vector<StandingModel> m_models;
+  std::optional<WindObstacles> m_obstacles;
   std::optional<WindField> m_field;
   GroundWind m_wind;                 ///< of 1 m/s
   std::optional<int> m_windDegrees;  ///< that it blows to

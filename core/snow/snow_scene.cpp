@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/check.h"
+#include "core/fields/layered_ray_scene.h"
 #include "core/nodes/terrain_node.h"
 
 namespace spin {
@@ -117,15 +118,15 @@ std::vector<StandingModel> standingModels(const SceneSnapshot& scene, const Snow
   return models;
 }
 
-void addModel(SnowScene& scene, StandingModel& model) {
+std::uint32_t addModel(RayScene& rays, const StandingModel& model, Vec3d centre) {
   TriangleSoup soup;
-  const Vec3d move = model.placement.translation - scene.centre;
+  const Vec3d move = model.placement.translation - centre;
   for (const PlacedTriangle& triangle : model.triangles)
     for (const Vec3f& p : triangle.corners) {
       soup.indices.push_back(static_cast<std::uint32_t>(soup.positions.size()));
       soup.positions.push_back((p.to<double>() + move).to<float>());
     }
-  model.geometry = scene.rays->addTriangles(soup.positions, soup.indices);
+  return rays.addTriangles(soup.positions, soup.indices);
 }
 
 /// Sets domain, floor, centre and tolerance from what stands in the scene.
@@ -153,34 +154,77 @@ void setDomain(SnowScene& scene, const Box3d& ground) {
 
 }  // namespace
 
-std::optional<SnowScene> makeSnowScene(const SceneSnapshot& snapshot, const SnowGround& ground,
-                                       double filmTime, const RaySceneFactory& makeRayScene,
-                                       const CancelToken& cancel) {
+bool SnowSceneMaker::fits(const SnowScene& scene) const {
+  if (!m_still || !(m_still->domain == scene.domain)) return false;
+  for (std::size_t m = 0; m < scene.models.size(); ++m)
+    if (m_still->placement[m] && !(*m_still->placement[m] == scene.models[m].placement)) return false;
+  return true;
+}
+
+bool SnowSceneMaker::buildStill(const SceneSnapshot& snapshot, const SnowGround& ground,
+                                const SnowScene& scene, const CancelToken& cancel) {
+  Still still;
+  still.domain = scene.domain;
+  still.rays = m_makeRayScene();
+  if (!ground.terrain.empty()) {
+    const TerrainSurface surface(snapshot.terrain->heights);
+    still.hasTerrain = true;
+    still.skirts = skirtEdges(surface);
+    for (SkirtEdge& edge : still.skirts) edge.onBorder = liesOnBorder(edge, scene.domain);
+    const TriangleSoup land = terrainTriangles(surface, scene.centre, cancel);
+    if (cancel.cancelled()) return false;
+    still.terrainGeometry = still.rays->addTriangles(land.positions, land.indices);
+    const TriangleSoup skirts = skirtTriangles(still.skirts, scene.level, scene.centre);
+    still.skirtGeometry = still.rays->addTriangles(skirts.positions, skirts.indices);
+    still.geometries = 2;
+    still.groundVolume = groundVolume(surface, scene.level);
+  }
+  for (std::size_t m = 0; m < scene.models.size(); ++m) {
+    const bool moves = !nodeOf(snapshot, ground.models[m]).curves.empty();
+    still.placement.push_back(moves ? std::nullopt : std::optional(scene.models[m].placement));
+    still.geometry.push_back(moves ? 0 : addModel(*still.rays, scene.models[m], scene.centre));
+    still.geometries += moves ? 0 : 1;
+  }
+  if (cancel.cancelled() || !still.rays->commit(cancel)) return false;
+  m_still = std::move(still);
+  return true;
+}
+
+std::optional<SnowScene> SnowSceneMaker::at(const SceneSnapshot& snapshot, const SnowGround& ground,
+                                            double filmTime, const CancelToken& cancel) {
   SnowScene scene;
-  scene.rays = makeRayScene();
   scene.models = standingModels(snapshot, ground, filmTime);
   Box3d box;
   if (!ground.terrain.empty()) box = terrainBox(TerrainSurface(snapshot.terrain->heights));
   setDomain(scene, box);
-  if (scene.domain.empty()) return scene;
-  if (cancel.cancelled()) return std::nullopt;
-  const Vec3d size = scene.domain.size();
-  scene.airVolume = size.x * size.y * size.z;
-  if (!box.empty()) {
-    const TerrainSurface surface(snapshot.terrain->heights);
-    scene.hasTerrain = true;
-    scene.skirts = skirtEdges(surface);
-    for (SkirtEdge& edge : scene.skirts) edge.onBorder = liesOnBorder(edge, scene.domain);
-    const TriangleSoup land = terrainTriangles(surface, scene.centre, cancel);
-    if (cancel.cancelled()) return std::nullopt;
-    scene.terrainGeometry = scene.rays->addTriangles(land.positions, land.indices);
-    const TriangleSoup skirts = skirtTriangles(scene.skirts, scene.level, scene.centre);
-    scene.skirtGeometry = scene.rays->addTriangles(skirts.positions, skirts.indices);
-    scene.airVolume -= groundVolume(surface, scene.level);
+  if (scene.domain.empty()) {
+    scene.rays = m_makeRayScene();
+    return scene;
   }
-  for (StandingModel& model : scene.models) addModel(scene, model);
-  if (cancel.cancelled() || !scene.rays->commit(cancel)) return std::nullopt;
+  if (!fits(scene)) {
+    m_still.reset();
+    if (cancel.cancelled() || !buildStill(snapshot, ground, scene, cancel)) return std::nullopt;
+  }
+  const Vec3d size = scene.domain.size();
+  scene.airVolume = size.x * size.y * size.z - m_still->groundVolume;
+  scene.hasTerrain = m_still->hasTerrain;
+  scene.skirts = m_still->skirts;
+  scene.terrainGeometry = m_still->terrainGeometry;
+  scene.skirtGeometry = m_still->skirtGeometry;
+  scene.rays = m_still->rays;
+  if (m_still->geometries < scene.models.size() + (scene.hasTerrain ? 2u : 0u))
+    scene.rays = makeLayeredRayScene(m_still->rays, m_still->geometries, m_makeRayScene());
+  for (std::size_t m = 0; m < scene.models.size(); ++m)
+    scene.models[m].geometry =
+        m_still->placement[m] ? m_still->geometry[m] : addModel(*scene.rays, scene.models[m], scene.centre);
+  if (scene.rays != m_still->rays && (cancel.cancelled() || !scene.rays->commit(cancel))) return std::nullopt;
   return scene;
+}
+
+std::optional<SnowScene> makeSnowScene(const SceneSnapshot& snapshot, const SnowGround& ground,
+                                       double filmTime, const RaySceneFactory& makeRayScene,
+                                       const CancelToken& cancel) {
+  return SnowSceneMaker(makeRayScene).at(snapshot, ground, filmTime, cancel);
 }
 
 }  // namespace spin

@@ -30,7 +30,7 @@ struct StandingModel {
 
 /// Everything that snow can hit at one time, and the box of air it falls through.
 struct SnowScene {
-  std::unique_ptr<RayScene> rays;  ///< coordinates less `centre`, to keep float's digits
+  std::shared_ptr<RayScene> rays;  ///< coordinates less `centre`, to keep float's digits
   Vec3d centre{};
   Box3d domain;            ///< local m; empty if there is nothing to land on
   double tolerance = 0.0;  ///< m, within which a packet's end counts as on the ground
@@ -56,7 +56,37 @@ struct SnowScene {
   }
 };
 
-/// Nothing when cancelled.
+/// Makes the snow scenes of a run one after the other. The land and the models that stand still are put into
+/// the ray scene once, and only what moves anew; a scene is the same as one that is made afresh.
+class SnowSceneMaker {
+ public:
+  explicit SnowSceneMaker(RaySceneFactory makeRayScene) : m_makeRayScene(std::move(makeRayScene)) {}
+
+  /// Nothing when cancelled. The ground must be of the same run each time.
+  std::optional<SnowScene> at(const SceneSnapshot& scene, const SnowGround& ground, double filmTime,
+                              const CancelToken& cancel = {});
+
+ private:
+  struct Still {
+    Box3d domain;
+    std::shared_ptr<RayScene> rays;
+    std::uint32_t geometries = 0;
+    std::vector<SkirtEdge> skirts;
+    double groundVolume = 0.0;
+    std::vector<std::optional<Transform>> placement;  ///< by model; none if it may move
+    std::vector<std::uint32_t> geometry;              ///< by model
+    bool hasTerrain = false;
+    std::uint32_t terrainGeometry = 0, skirtGeometry = 0;
+  };
+  bool buildStill(const SceneSnapshot& snapshot, const SnowGround& ground, const SnowScene& scene,
+                  const CancelToken& cancel);
+  bool fits(const SnowScene& scene) const;
+
+  RaySceneFactory m_makeRayScene;
+  std::optional<Still> m_still;
+};
+
+/// One snow scene; nothing when cancelled.
 std::optional<SnowScene> makeSnowScene(const SceneSnapshot& scene, const SnowGround& ground, double filmTime,
                                        const RaySceneFactory& makeRayScene, const CancelToken& cancel = {});
 

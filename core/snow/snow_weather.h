@@ -33,6 +33,8 @@ struct FallCone {
 
   /// Unit direction of fall for u, v in [0, 1); its z is negative.
   Vec3d direction(double u, double v) const { return coneDirection(frame, oneMinusCos, u, v); }
+
+  friend bool operator==(const FallCone&, const FallCone&) = default;
 };
 
 /// Cone for a wind and a fall speed (> 0), m/s. Where the cone would hold directions that do not come down

@@ -25,6 +25,7 @@
 #ifdef SPIN_HAVE_CUDA
 #include "gpu/cuda_device.h"
 #include "gpu/flow_solver_cuda.h"
+#include "gpu/map_raster_cuda.h"
 #endif
 
 namespace spin {
@@ -318,7 +319,8 @@ RunOptions runOptionsFor(const JobOptions& job, int lastFrame) {
   // Only where it is asked for by name: the editor and other machines then share the cache.
   if (job.device == "cuda" && cudaAvailable()) {
     options.makeFlowSolver = makeFlowSolverCuda;
-    options.flowDevice = cudaDevice().value().backend;
+    options.makeMapRaster = makeMapRasterCuda;
+    options.device = cudaDevice().value().backend;
   }
 #endif
   return options;

@@ -32,7 +32,7 @@ ARROWS = {
     "core/raycast": CORE_DATA,
     "core/bench": CORE_SIM + ["core/snow", "core/flake", "core/flow", "core/rigid", "core/sph", "core/raycast", "core/processes", "gpu"],
     "core/scene": CORE_SIM + ["core/flake"],
-    "gpu": CORE_DATA + ["core/rigid", "core/sph"],
+    "gpu": CORE_SIM + ["core/rigid", "core/snow", "core/sph"],
     "plugins/sdk": SCENE,
     "plugins/host": SDK,
     "plugins/gdal_common": SDK,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "core/fields/layered_ray_scene.h"
 #include "core/fields/ray_scene.h"
 #include "tests/core/raycast/ray_scene_cases.h"
 #include "tests/support/time_limit.h"
@@ -16,6 +17,43 @@ TEST(BvhRayScene, NoRayLeaksOutOfAClosedBall) {
 
 TEST(BvhRayScene, NoRayLeaksThroughAHeightField) {
   EXPECT_EQ(test::leaksOfField(*makeBvhRayScene(), 1000000), 0);
+}
+
+TEST(LayeredRayScene, AnswersAsOneSceneOfBoth) {
+  const test::Soup land = test::field(40), ball = test::ball(12, 4.0f);
+  const auto whole = makeBvhRayScene();
+  std::shared_ptr<RayScene> lower = makeBvhRayScene();
+  for (RayScene* scene : {whole.get(), lower.get()}) scene->addTriangles(land.positions, land.indices);
+  lower->commit();
+  const auto both = makeLayeredRayScene(lower, 1, makeBvhRayScene());
+  for (RayScene* scene : {whole.get(), both.get()}) {
+    EXPECT_EQ(scene->addTriangles(ball.positions, ball.indices), 1u);
+    scene->commit();
+  }
+  const CounterRandom random{7, 1};
+  std::vector<Ray> rays;
+  for (std::uint64_t k = 0; k < 4000; ++k) {
+    const UInt4 w = random.words(k, 1);
+    rays.push_back({{40.0f * toUnitFloat(w.x) - 20.0f, 40.0f * toUnitFloat(w.y) - 20.0f,
+                     12.0f * toUnitFloat(w.z) - 2.0f},
+                    test::randomDirection(random, k)});
+  }
+  std::vector<std::uint8_t> blocked(rays.size());
+  both->occludedMany(rays.data(), rays.size(), blocked.data());
+  std::size_t hits[2] = {0, 0};
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const auto a = whole->closest(rays[k]), b = both->closest(rays[k]);
+    ASSERT_EQ(a.has_value(), b.has_value()) << k;
+    EXPECT_EQ(whole->occluded(rays[k]), both->occluded(rays[k]));
+    EXPECT_EQ(blocked[k] != 0, a.has_value());
+    if (!a) continue;
+    EXPECT_EQ(a->t, b->t);
+    EXPECT_EQ(a->geometry, b->geometry);
+    EXPECT_EQ(a->triangle, b->triangle);
+    ++hits[a->geometry];
+  }
+  EXPECT_GT(hits[0], 100u);
+  EXPECT_GT(hits[1], 50u);
 }
 
 TEST(BvhRayScene, EmptySceneHidesNothing) {

@@ -6,6 +6,7 @@
 
 #include "core/base/random.h"
 #include "core/snow/exposure_field.h"
+#include "core/snow/map_raster_impl.h"
 #include "tests/core/snow/snow_test_scene.h"
 
 namespace spin {
@@ -142,6 +143,56 @@ TEST(OcclusionMap, NothingToDrawIsOpen) {
   const OcclusionMap map = drawn.map({0.0, 0.0, -1.0}, 0.5);
   EXPECT_EQ(map.openness({0, 0, 100.0}, {0, 0, 1}), 1.0);
   EXPECT_EQ(map.openness({1e6, 0, 0}, {0, 0, 1}), 1.0) << "outside the map";
+}
+
+/// The raster that cards use, over the processor's backend.
+TEST(OcclusionMap, ATriangleAThreadDrawsTheSameMap) {
+  const Drawn drawn(hutOnSlope().build());
+  const Occluders occluders(drawn.snapshot, drawn.scene);
+  MapRasterOn<CpuBackend> raster(occluders, CpuBackend(3));
+  const OcclusionMap map = drawn.map({0.5, 0.2, -1.0}, 0.2);
+  MapView view = map.view();
+  view.keep({Vec3d{-8, -8, -3}, Vec3d{6, 9, 5}});
+  EXPECT_GT(view.drawn.fromColumn, 0);
+  EXPECT_LT(view.drawn.toRow, view.rows);
+  CpuBackend backend(2);
+  for (const MapView& wanted : {map.view(), view}) {
+    const OcclusionMap other(raster, wanted), banded(occluders, wanted, backend);
+    std::size_t seen = 0;
+    for (int row = 0; row < wanted.rows; ++row)
+      for (int column = 0; column < wanted.columns; ++column) {
+        ASSERT_EQ(other.depth(column, row), banded.depth(column, row)) << column << " " << row;
+        const bool isDrawn = column >= wanted.drawn.fromColumn && column < wanted.drawn.toColumn &&
+                             row >= wanted.drawn.fromRow && row < wanted.drawn.toRow;
+        if (!isDrawn) continue;
+        ASSERT_EQ(other.depth(column, row), map.depth(column, row));
+        seen += std::isfinite(other.depth(column, row)) ? 1 : 0;
+      }
+    EXPECT_GT(seen, 1000u);
+  }
+}
+
+TEST(OcclusionMap, ALargeLandIsShownInTilesOfFullDetail) {
+  TestScene test;
+  test.land(120, 90, 2.0, [](double x, double y) { return 4.0 * std::sin(x / 9.0) + 0.1 * y; });
+  const SceneSnapshot scene = test.build();
+  const Drawn drawn(scene);
+  CpuBackend backend(2);
+  const CancelToken cancel;
+  ExposureSettings settings;
+  settings.cone = fallCone({1.0, 0.5, 0.0}, 1.0, 0.1);
+  settings.mapDirections = 8;
+  const auto exposureWith = [&](int mapSize) {
+    settings.mapSize = mapSize;
+    return makeExposureField(drawn.snapshot, *drawn.ground, drawn.scene, settings, {backend, cancel, {}})
+        ->grids[0]
+        .exposure;
+  };
+  const std::vector<float> whole = exposureWith(4096), tiled = exposureWith(64);
+  double difference = 0.0;
+  for (std::size_t c = 0; c < whole.size(); ++c)
+    difference += std::abs(static_cast<double>(whole[c] - tiled[c]));
+  EXPECT_LT(difference / static_cast<double>(whole.size()), 0.01);
 }
 
 }  // namespace

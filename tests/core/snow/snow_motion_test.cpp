@@ -36,8 +36,7 @@ struct Plain {
     build.model("fence", test::modelOf(test::sheetMesh({0, -20, 0}, {0, 20, 0}, {0, -20, 2})), fence);
     scene = build.build();
     ground = makeSnowGround(scene);
-    const auto standing = makeSnowScene(scene, *ground, 0.0, makeBvhRayScene);
-    motion.place(scene, ground, *standing);
+    motion.place(ground, std::make_shared<SnowScene>(*makeSnowScene(scene, *ground, 0.0, makeBvhRayScene)));
     depth.assign(motion.graph().size(), 0.0);
     mass = depth;
     for (std::uint32_t c = 0; c < depth.size(); ++c)
@@ -49,7 +48,7 @@ struct Plain {
     snow.carried = {depth.data(), mass.data()};
     return motion.step(scene, motionSettings(scene, 0.0), seconds, snow, backend);
   }
-  std::size_t cellAt(double x, double y) const {
+  std::size_t cellAt(double x, double y) {
     const CoverGraph::Grid& fine = motion.graph().grids()[1];
     return fine.first +
            static_cast<std::size_t>(std::lround((y - fine.originY) / fine.cellSize) * fine.width +
@@ -85,8 +84,8 @@ TEST(SnowMotion, ThreadsAndPlacingAgainChangeNoBit) {
   Plain one(13.0), other(13.0);
   one.step(1800.0, 1), one.step(1800.0, 1);
   other.step(1800.0, 3);
-  const auto standing = makeSnowScene(other.scene, *other.ground, 0.0, makeBvhRayScene);
-  other.motion.place(other.scene, other.ground, *standing);
+  other.motion.place(other.ground, std::make_shared<SnowScene>(
+                                       *makeSnowScene(other.scene, *other.ground, 0.0, makeBvhRayScene)));
   other.step(1800.0, 3);
   EXPECT_EQ(0, std::memcmp(one.mass.data(), other.mass.data(), one.mass.size() * sizeof(double)));
 }
@@ -125,10 +124,10 @@ TEST(SnowMotion, SlushRunsOffWhereDrySnowLies) {
   build.simulation.snowSlides = true;
   const SceneSnapshot scene = build.build();
   const SnowGroundPointer ground = makeSnowGround(scene);
-  const auto standing = makeSnowScene(scene, *ground, 0.0, makeBvhRayScene);
+  const auto standing = std::make_shared<SnowScene>(*makeSnowScene(scene, *ground, 0.0, makeBvhRayScene));
   for (const bool wet : {false, true}) {
     SnowMotion motion;
-    motion.place(scene, ground, *standing);
+    motion.place(ground, standing);
     std::vector<double> depth(motion.graph().size(), 0.5), mass(depth.size(), 200.0),
         liquid(depth.size(), wet ? 80.0 : 0.0);
     CpuBackend backend(2);
