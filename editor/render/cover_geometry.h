@@ -46,14 +46,26 @@ struct PatchCover {
   static constexpr int kBorderCells = 3;  ///< width of the border, in which the snow follows the rim
   std::vector<Vec3f> positions;           ///< in the grid's axes
   std::vector<std::uint32_t> indices;
-  std::vector<std::int32_t> cell;       ///< of the grid; -1 = rim
+  std::vector<std::int32_t> cell;       ///< of the grid; -1 = rim, -2 = a corner of it, beside no cell
   std::vector<std::int32_t> shownCell;  ///< the same; of a rim, one that it hangs on
   std::vector<std::int32_t> rim;        ///< nearest rim vertex within kBorderCells of a cell; -1 = none
-  std::vector<float> inset;             ///< m from the rim; large inside
+  std::vector<float> inset;             ///< m from the rim; large inside; above 0 at joined rims
   std::vector<std::int32_t> vertexOfCell;
   float cellSize = 1.0f;
 };
 PatchCover makePatchCover(const CoverGrid& grid);
+
+/// Where a rim vertex of a patch touches a cell of another patch of the same model.
+struct RimContact {
+  std::uint32_t vertex = 0;
+  std::size_t grid = 0, cell = 0;
+};
+/// For each rim vertex of the patch over grid `own` the nearest cell of another grid of the same node that
+/// lies level with it, both within a cell; none where nothing does, and none at corners.
+std::vector<RimContact> rimContacts(const PatchCover& patch, std::size_t own,
+                                    const std::vector<CoverGrid>& grids);
+/// The border of a patch no longer runs along these vertices: insets and nearest rims are those of the rest.
+void joinRims(PatchCover& patch, const std::vector<RimContact>& contacts);
 
 /// Distance to the nearest border of a patch of X x Y, F1 = min(x, X - x, y, Y - y) (eq. 2.9 of [Z]): snow
 /// that ends there falls towards it. For outlines of any form it is the inset.
@@ -69,9 +81,9 @@ constexpr float bankWidth(float x, float y, float X, float Y) {
 }
 
 /// Per vertex: drawn thickness in m, then the surface normal. Where the snow ends at the rim it is rounded
-/// off as far in as it is thick, so that a patch ends in a curve and not in a wall (F1). Where snow beside
-/// the patch stands above its rim (`beside`, m, per vertex, read at rims; empty = nowhere), the patch's snow
-/// is banked up to it (F2), so that the two meet without a gap.
+/// off as far in as it is thick, so that a patch ends in a curve and not in a wall (F1). `beside`, m, is read
+/// at rims (empty = 0): where snow stands so high above a rim, the patch's snow is banked up to it (F2), so
+/// that the two meet without a gap; joined rims are given that depth.
 std::vector<Vec4f> patchCoverSnow(const PatchCover& patch, const std::vector<float>& depth,
                                   const std::vector<float>& beside = {});
 /// Appends to `out`, with `first` added, the triangles of the patch that carry snow; with `bare`, all.

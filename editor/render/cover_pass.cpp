@@ -144,6 +144,8 @@ void CoverPass::addPatch(std::size_t grid) {
   PatchPart part;
   part.grid = grid;
   part.mesh = makePatchCover(m_layout->grids[grid]);
+  part.contacts = rimContacts(part.mesh, grid, m_layout->grids);
+  joinRims(part.mesh, part.contacts);
   for (const Vec3f& p : part.mesh.positions) part.bounds.extend(p.to<double>());
   at->cellSize = std::max(at->cellSize, m_layout->grids[grid].base.cellSize);
   if (!part.bounds.empty()) at->parts.push_back(std::move(part));
@@ -218,6 +220,28 @@ std::optional<double> CoverPass::snowSurfaceAt(double x, double y) const {
   return highest(m_terrain->heights, m_coarseDepth.values);
 }
 
+/// How far snow beside the rims of a patch stands above them: that of the terrain; where another patch of the
+/// model meets it the mean of both depths, which either is drawn with.
+std::vector<float> CoverPass::snowBeside(const PatchPart& part, Vec3d offset) const {
+  std::vector<float> beside(part.mesh.positions.size(), 0.0f);
+  for (std::size_t v = 0; v < beside.size(); ++v) {
+    if (part.mesh.cell[v] >= 0) continue;
+    const Vec3d p = part.mesh.positions[v].to<double>() + offset;
+    if (const auto z = snowSurfaceAt(p.x, p.y)) beside[v] = static_cast<float>(*z - p.z);
+  }
+  const auto depthAt = [this](std::size_t grid, std::size_t cell) {
+    const std::vector<float>& depth = m_cover->values[grid].depth;
+    return cell < depth.size() ? depth[cell] : 0.0f;
+  };
+  for (const RimContact& contact : part.contacts) {
+    const std::int32_t own = part.mesh.shownCell[contact.vertex];
+    const float mean =
+        0.5f * (depthAt(part.grid, static_cast<std::size_t>(own)) + depthAt(contact.grid, contact.cell));
+    beside[contact.vertex] = mean;
+  }
+  return beside;
+}
+
 void CoverPass::updatePatches(const SceneSnapshot& scene, double filmTime) {
   for (Patches& patches : m_patches) {
     const auto node = std::find_if(scene.nodes.begin(), scene.nodes.end(),
@@ -229,13 +253,7 @@ void CoverPass::updatePatches(const SceneSnapshot& scene, double filmTime) {
     for (PatchPart& part : patches.parts) {
       std::vector<float> depth = m_cover->values[part.grid].depth;
       depth.resize(m_layout->grids[part.grid].base.size(), 0.0f);
-      std::vector<float> beside(part.mesh.positions.size(), 0.0f);
-      for (std::size_t v = 0; v < beside.size(); ++v) {
-        if (part.mesh.cell[v] >= 0) continue;
-        const Vec3d p = part.mesh.positions[v].to<double>() + offset;
-        if (const auto z = snowSurfaceAt(p.x, p.y)) beside[v] = static_cast<float>(*z - p.z);
-      }
-      part.drawn = patchCoverSnow(part.mesh, depth, beside);
+      part.drawn = patchCoverSnow(part.mesh, depth, snowBeside(part, offset));
       snow.insert(snow.end(), part.drawn.begin(), part.drawn.end());
     }
     glNamedBufferData(patches.snow.id(), bytesOf(snow), snow.data(), GL_DYNAMIC_DRAW);

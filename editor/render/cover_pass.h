@@ -56,6 +56,7 @@ class CoverPass {
   struct PatchPart {
     std::size_t grid = 0;
     PatchCover mesh;
+    std::vector<RimContact> contacts;
     std::vector<Vec4f> drawn;  ///< patchCoverSnow()
     Box3d bounds;              ///< relative to the node's position, bare
     std::size_t first = 0, count = 0;
@@ -73,6 +74,7 @@ class CoverPass {
   void uploadPatchMeshes(Patches& patches) const;
   void updateCoarse(const SceneSnapshot& scene);
   void updateFine();
+  std::vector<float> snowBeside(const PatchPart& part, Vec3d offset) const;
   void updatePatches(const SceneSnapshot& scene, double filmTime);
   void updateIndices();
   void updateLooks();

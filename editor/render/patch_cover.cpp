@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "editor/render/cover_geometry.h"
 
@@ -63,6 +64,7 @@ class PatchBuilder {
     }
     Vec3d sum{};
     int count = 0, beside = -1;
+    bool corner = true;
     for (const auto& d : kAround) {
       const int a = i + d[0], b = j + d[1];
       if (!valid(a, b)) continue;
@@ -73,10 +75,11 @@ class PatchBuilder {
       const double out = std::clamp(share(a, b) + share(i, j) - 0.5, 0.05, 0.95);
       sum += Vec3d{m_base.x(a) + out * (m_base.x(i) - m_base.x(a)),
                    m_base.y(b) + out * (m_base.y(j) - m_base.y(b)), z + out * rise};
+      corner = corner && d[0] != 0 && d[1] != 0;
       if (++count == 1) beside = static_cast<int>(m_base.index(a, b));
     }
     if (count == 0) return;
-    push(i, j, sum / static_cast<double>(count), -1, 0.0f);
+    push(i, j, sum / static_cast<double>(count), corner ? -2 : -1, 0.0f);
     m_patch.shownCell.back() = beside;
   }
 
@@ -159,6 +162,23 @@ float rounded(float depth, float inset, float radius) {
   return depth * std::sqrt(1.0f - (1.0f - x) * (1.0f - x));
 }
 
+/// Takes the cell of `grid` nearest to a point if it lies within a cell of it, along all axes, and nearer
+/// than what was found so far.
+void findContact(const CoverGrid& grid, std::size_t index, Vec3d p, RimContact& found, double& nearest) {
+  const Raster<float>& base = grid.base;
+  const int i0 = base.column(p.x), j0 = base.row(p.y);
+  for (int j = j0 - 1; j <= j0 + 1; ++j)
+    for (int i = i0 - 1; i <= i0 + 1; ++i) {
+      if (!base.contains(i, j) || std::isnan(base.at(i, j)) || !(grid.area.at(i, j) > 0.0f)) continue;
+      const double x = base.x(i) - p.x, y = base.y(j) - p.y, z = static_cast<double>(base.at(i, j)) - p.z;
+      const double away = std::max({std::abs(x), std::abs(y), std::abs(z)});
+      if (away > base.cellSize || away >= nearest) continue;
+      nearest = away;
+      found.grid = index;
+      found.cell = base.index(i, j);
+    }
+}
+
 /// Thickness at a rim beside which snow stands so high. A model that lies deep in the ground or in snow far
 /// deeper than its own would get a wall that nobody sees.
 float bankedUp(float beside, float depth) {
@@ -170,6 +190,18 @@ float bankedUp(float beside, float depth) {
 float banked(float depth, float bank, float inset, float border) {
   const float share = std::clamp(1.0f - inset / border, 0.0f, 1.0f);
   return depth + (bank - depth) * share * share * (3.0f - 2.0f * share);
+}
+
+/// Plan distance to the nearest free rim vertex among those, and that vertex.
+std::pair<float, std::int32_t> nearestFree(const PatchCover& patch, const std::vector<std::int32_t>& rims,
+                                           const Vec3f& p) {
+  std::pair<float, std::int32_t> found{std::numeric_limits<float>::max(), -1};
+  for (const std::int32_t r : rims) {
+    const Vec3f& q = patch.positions[static_cast<std::size_t>(r)];
+    const float away = std::hypot(q.x - p.x, q.y - p.y);
+    if (away < found.first) found = {away, r};
+  }
+  return found;
 }
 
 /// One round of averaging over the mesh's edges where the snow is rounded off: the outline of a patch runs in
@@ -193,13 +225,58 @@ PatchCover makePatchCover(const CoverGrid& grid) {
   return PatchBuilder(grid).build();
 }
 
+std::vector<RimContact> rimContacts(const PatchCover& patch, std::size_t own,
+                                    const std::vector<CoverGrid>& grids) {
+  Box3d box;
+  for (const Vec3f& p : patch.positions) box.extend(p.to<double>());
+  std::vector<std::size_t> others;
+  for (std::size_t g = 0; g < grids.size(); ++g) {
+    const Raster<float>& base = grids[g].base;
+    const double reach = 1.5 * base.cellSize;
+    const bool apart = base.x(0) - reach > box.max.x || base.x(base.width - 1) + reach < box.min.x ||
+                       base.y(0) - reach > box.max.y || base.y(base.height - 1) + reach < box.min.y;
+    if (g != own && grids[g].node == grids[own].node && !apart) others.push_back(g);
+  }
+  std::vector<RimContact> contacts;
+  for (std::size_t v = 0; v < patch.positions.size() && !others.empty(); ++v) {
+    if (patch.cell[v] != -1) continue;
+    double nearest = std::numeric_limits<double>::max();
+    RimContact found{static_cast<std::uint32_t>(v), 0, 0};
+    for (const std::size_t g : others)
+      findContact(grids[g], g, patch.positions[v].to<double>(), found, nearest);
+    if (nearest < std::numeric_limits<double>::max()) contacts.push_back(found);
+  }
+  return contacts;
+}
+
+void joinRims(PatchCover& patch, const std::vector<RimContact>& contacts) {
+  if (contacts.empty()) return;
+  std::vector<char> joined(patch.positions.size(), 0);
+  for (const RimContact& c : contacts) joined[c.vertex] = 1;
+  std::vector<std::int32_t> freeRims;
+  for (std::size_t v = 0; v < joined.size(); ++v)
+    if (patch.cell[v] < 0 && !joined[v]) freeRims.push_back(static_cast<std::int32_t>(v));
+  const float border = static_cast<float>(PatchCover::kBorderCells) * patch.cellSize;
+  for (std::size_t v = 0; v < joined.size(); ++v) {
+    const std::int32_t rim = patch.rim[v];
+    if (!joined[v] && (rim < 0 || !joined[static_cast<std::size_t>(rim)])) continue;
+    const auto [away, nearest] = nearestFree(patch, freeRims, patch.positions[v]);
+    patch.inset[v] = std::max(away, 1e-3f * patch.cellSize);
+    patch.rim[v] = !joined[v] && away < border ? nearest : -1;
+  }
+}
+
 std::vector<Vec4f> patchCoverSnow(const PatchCover& patch, const std::vector<float>& depth,
                                   const std::vector<float>& beside) {
   const std::size_t n = patch.positions.size();
   std::vector<Vec4f> snow(n);
   const auto depthOf = [&](std::size_t v) { return depth[static_cast<std::size_t>(patch.shownCell[v])]; };
-  for (std::size_t v = 0; v < n; ++v)
-    if (patch.cell[v] < 0 && !beside.empty()) snow[v].x = bankedUp(beside[v], depthOf(v));
+  for (std::size_t v = 0; v < n; ++v) {
+    if (patch.cell[v] >= 0 || beside.empty()) continue;
+    snow[v].x = patch.inset[v] > 0.0f
+                    ? rounded(beside[v], patch.inset[v], std::max(patch.cellSize, 0.8f * beside[v]))
+                    : bankedUp(beside[v], depthOf(v));
+  }
   const float border = static_cast<float>(PatchCover::kBorderCells) * patch.cellSize;
   for (std::size_t v = 0; v < n; ++v) {
     if (patch.cell[v] < 0) continue;

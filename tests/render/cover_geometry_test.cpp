@@ -139,6 +139,26 @@ TEST(PatchCover, SnowIsBankedUpToSnowBesideIt) {
   for (int i = 1; i < 12; ++i) EXPECT_LT(std::abs(at(i, 6) - at(i - 1, 6)), 0.1f) << "no wall at " << i;
 }
 
+TEST(PatchCover, RimsFindLevelCellsOfOtherPatches) {
+  // Two halves of a table, one above another table, and one of another model.
+  std::vector<CoverGrid> grids{table(6, 1.0f), table(6, 1.0f), table(6, 1.3f), table(6, 1.0f)};
+  grids[1].base.originX += 0.6;
+  grids[2].base.originY += 0.6;
+  grids[3].base.originX -= 0.6;
+  grids[3].node = "u";
+  const PatchCover patch = makePatchCover(grids[0]);
+  const auto contacts = rimContacts(patch, 0, grids);
+  ASSERT_GE(contacts.size(), 6u);
+  for (const RimContact& c : contacts) {
+    EXPECT_EQ(c.grid, 1u);
+    EXPECT_LT(patch.cell[c.vertex], 0);
+    EXPECT_NEAR(patch.positions[c.vertex].x, 0.6f, 0.06f);
+    EXPECT_EQ(static_cast<int>(c.cell) % 6, 0) << "its nearest column";
+  }
+  grids[1].base.originX += 0.25;
+  EXPECT_TRUE(rimContacts(patch, 0, grids).empty()) << "a gap wider than a cell";
+}
+
 TEST(PatchCover, SnowBesideThatIsFarHigherMakesNoWall) {
   const CoverGrid grid = table(12, 1.0f);
   const PatchCover patch = makePatchCover(grid);

@@ -115,6 +115,32 @@ TEST_F(PatchDraw, SnowLiesOnTheModelAndStandsAboveItsEdge) {
   EXPECT_GT(above, 1) << "snow rises above the roof's far edge";
 }
 
+/// A roof of which two patches cover a half each looks as one that a single patch covers: no groove between.
+TEST_F(PatchDraw, PatchesThatMeetLeaveNoGroove) {
+  const auto roof = [&](int patches) {
+    SceneBuilder builder = meadow();
+    addModel(builder, "box", boxModel({8, 8, 4}), {160, 160, 0});
+    const SnapshotPointer scene = builder.build();
+    auto frame = frameWithCover(*scene, [](int, int) { return 0.0; });
+    for (int p = 0; p < patches; ++p) {
+      const int columns = 40 / patches;
+      CoverGrid grid{"box/" + std::to_string(p),
+                     "box",
+                     Raster<float>(columns, 40, -3.9 + 0.2 * columns * p, -3.9, 0.2, 4.0f),
+                     {}};
+      grid.area = grid.base.sameShape<float>(0.04f);
+      addGrid(*frame, grid, std::vector<float>(grid.base.size(), 0.6f));
+    }
+    return draw(scene, frame, {{160, 150, 9}, {160, 160, 4}, 40}, sized(128, 128));
+  };
+  const Picture one = roof(1), two = roof(2);
+  int most = 0;
+  for (int y = 0; y < 128; ++y)
+    for (int x = 56; x < 72; ++x) most = std::max(most, std::abs(one.bright(x, y) - two.bright(x, y)));
+  EXPECT_LT(most, 12) << "along the middle";
+  EXPECT_LT(difference(one, two), 0.5);
+}
+
 /// A picture of values: their hues do not depend on the light.
 class ValueDraw : public SnowDraw {
  protected:
