@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "core/fields/terrain_surface.h"
+#include "core/nodes/camera_node.h"
+#include "core/nodes/cover_nodes.h"
 #include "core/nodes/flow_nodes.h"
 #include "editor/viewport/scene_picker.h"
 #include "editor/viewport/viewport.h"
@@ -36,6 +38,10 @@ double sizeFor(double distance, double share, double least, double most) {
 ViewSight sightOf(const Viewport& viewport) {
   const ViewportContext seen = viewport.context();
   ViewSight sight;
+  const RenderCamera& camera = seen.view.camera();
+  sight.eye = camera.position;
+  sight.target = camera.target;
+  sight.fovDegrees = camera.fovDegrees;
   if (!seen.scene) return sight;
   const Vec2d middle{0.5 * seen.view.width(), 0.5 * seen.view.height()};
   sight.place = pickTerrain(*seen.scene, seen.view.ray(middle));
@@ -48,6 +54,8 @@ edit::PropertyValues placedDefaults(const NodeType& type, const ViewSight& sight
                                     const std::string& selected) {
   if (&type == &kRigidBodyType)
     return selected.empty() ? edit::PropertyValues{} : edit::PropertyValues{{"model", selected}};
+  if (&type == &kCameraType)
+    return {{"position_m", sight.eye}, {"target_m", sight.target}, {"fov_deg", sight.fovDegrees}};
   if (!sight.place) return {};
   const Vec3d at = *sight.place;
   if (&type == &kAvalancheReleaseType) {
@@ -65,6 +73,8 @@ edit::PropertyValues placedDefaults(const NodeType& type, const ViewSight& sight
             {"end_m", Vec3d{at.x + half * across.x, at.y + half * across.y, 0.0}},
             {"velocity_m_s", Vec3d{2.0 * d.x, 2.0 * d.y, 0.0}}};
   }
+  if (&type == &kHeatSourceType)
+    return {{"position_m", Vec3d{at.x, at.y, 0.0}}, {"radius_m", sizeFor(sight.distance, 0.05, 1.0, 200.0)}};
   if (&type == &kFlowSinkType) {
     const double side = sizeFor(sight.distance, 0.15, 2.0, 100.0);
     return {{"position_m", at}, {"size_m", Vec3d{side, side, side}}};

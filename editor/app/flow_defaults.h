@@ -19,11 +19,15 @@ struct ViewSight {
   std::optional<Vec3d> place;  ///< local m; nothing beside the terrain
   std::shared_ptr<const TerrainData> terrain;
   double distance = 50.0;  ///< from the eye to the place, m
+  Vec3d eye{};
+  Vec3d target{};  ///< what the view's camera looks at
+  double fovDegrees = 45.0;
 };
 ViewSight sightOf(const Viewport& viewport);
 
-/// First values of a new node that feeds or takes out flow: where the view looks, as large as a good part of
-/// what it shows, turned downhill. A rigid body takes the selected model. Empty for other types.
+/// First values of a new node that has a place: where the view looks, as large as a good part of what it
+/// shows; what flows is turned downhill. A camera takes the view, a rigid body the selected model. Empty for
+/// other types.
 edit::PropertyValues placedDefaults(const NodeType& type, const ViewSight& sight,
                                     const std::string& selected);
 

@@ -119,12 +119,15 @@ void MainActions::fillNodeMenu() {
     action->setToolTip(QCoreApplication::translate("Properties", type->doc));
     action->setIcon(nodeIcon(*type));
     action->setEnabled(!type->single || !m_window->document().scene().firstOf(*type));
-    connect(action, &QAction::triggered, this, [this, type, label, file] {
-      if (file) return m_window->imports().choose();
-      const Result<std::string> added = m_window->tools().addNode(*type, label);
-      if (!added.ok()) m_window->files().showError(QString::fromStdString(added.error().text()));
-    });
+    connect(action, &QAction::triggered, this, [this, type] { addNode(*type); });
   }
+}
+
+void MainActions::addNode(const NodeType& type) {
+  if (&type == &kTerrainType || &type == &kModelType) return m_window->imports().choose();
+  const QString label = QCoreApplication::translate("Properties", type.label);
+  const Result<std::string> added = m_window->tools().addNode(type, label);
+  if (!added.ok()) m_window->files().showError(QString::fromStdString(added.error().text()));
 }
 
 void MainActions::addViewMenu() {

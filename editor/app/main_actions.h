@@ -7,6 +7,8 @@
 #include <functional>
 #include <vector>
 
+#include "core/property/property_table.h"
+
 class QAction;
 class QActionGroup;
 class QMenu;
@@ -22,6 +24,8 @@ class MainActions : public QObject {
  public:
   explicit MainActions(MainWindow* window);
 
+  /// Adds a node, placed where the view looks; asks for a file where the type needs one.
+  void addNode(const NodeType& type);
   /// Whether all frames may be thrown away. A function, so that tests answer without a dialog.
   std::function<bool()> mayReset;
   /// For the list of shortcuts: all actions that have one, in menu order.

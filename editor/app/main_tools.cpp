@@ -12,6 +12,7 @@
 #include "editor/app/brush_bar.h"
 #include "editor/app/main_actions.h"
 #include "editor/app/main_window.h"
+#include "editor/app/scatter_bar.h"
 #include "editor/app/tool_icons.h"
 #include "editor/viewport/viewport.h"
 
@@ -45,6 +46,7 @@ void MainActions::addTools() {
        tr("Paint ground types, temperature, snow depth, what is kept clear, or the selected release"),
        Qt::Key_B, Viewport::Tool::Brush);
   tool("toolOutline", tr("Draw the outline of a release"), Qt::Key_O, Viewport::Tool::Outline);
+  tool("toolScatter", tr("Scatter copies of a model over the ground"), Qt::Key_S, Viewport::Tool::Scatter);
   bar->addSeparator();
   QAction* local =
       addToggle(nullptr, "toolLocalAxes", tr("Local axes"), false, QKeySequence(Qt::Key_X),
@@ -61,6 +63,11 @@ void MainActions::addBrushTools(QToolBar* bar) {
   const std::vector<QAction*> modes = brush->modes();
   m_all.insert(m_all.end(), modes.begin(), modes.end());
   connect(findChild<QAction*>(QStringLiteral("toolBrush")), &QAction::toggled, brush, &BrushBar::setVisible);
+  auto* scatter = new ScatterBar(bar, &m_window->document(), view, this);
+  m_all.insert(m_all.end(), scatter->modes().begin(), scatter->modes().end());
+  connect(scatter, &ScatterBar::message, m_window, &MainWindow::showMessage);
+  connect(findChild<QAction*>(QStringLiteral("toolScatter")), &QAction::toggled, scatter,
+          &ScatterBar::setVisible);
   const auto step = [this, view](const char* name, const QString& text, int key, int steps) {
     QAction* action = add(nullptr, name, text, QKeySequence(key), [view, steps] {
       view->setBrushRadius(steppedBrushRadius(view->brush().tip().radius, steps));
@@ -89,9 +96,11 @@ void MainActions::showShortcuts() {
   row(tr("Click"), tr("Select"));
   row(tr("Ctrl while dragging a handle"), tr("Whole steps: 1 m, 15 degrees, 0.1"));
   row(tr("Escape while dragging"), tr("Take the drag back"));
-  row(tr("Shift while dragging a handle of flow"), tr("Up and down instead of along the ground"));
+  row(tr("Shift while dragging a handle"), tr("Up and down instead of along the ground"));
   row(tr("F, Shift + F with the brush"), tr("Radius and strength by moving the pointer"));
   row(tr("Shift, Ctrl with the brush"), tr("Smooth; pick the value under the pointer"));
+  row(tr("Shift with copies"), tr("Take copies away"));
+  row(tr("Ctrl + click with copies"), tr("Choose the model that is copied"));
   row(tr("Click with the outline tool"), tr("Add a corner; on a side, put one in"));
   row(tr("Delete over a corner"), tr("Take the corner out"));
   for (QAction* action : withShortcuts())

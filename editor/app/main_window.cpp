@@ -6,6 +6,7 @@
 #include <QDateTime>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -13,8 +14,11 @@
 #include <QStatusBar>
 
 #include "core/nodes/camera_node.h"
+#include "core/nodes/flow_nodes.h"
+#include "core/nodes/node_registry.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/weather_nodes.h"
+#include "editor/app/brush_bar.h"
 #include "editor/app/export_dialog.h"
 #include "editor/app/file_flow.h"
 #include "editor/app/flake_shapes_maker.h"
@@ -118,6 +122,12 @@ void MainWindow::addDocks() {
     return made;
   };
   auto* outliner = new OutlinerPanel(m_document);
+  outliner->addNode = [this](const NodeType& type) { m_actions->addNode(type); };
+  outliner->extendMenu = [this](QMenu* menu, const SceneNode& node) {
+    if (!isPaintedType(*node.type) || node.as<AvalancheReleaseNode>()) return;
+    BrushBar::fillLayerMenu(menu, m_layers);
+    menu->addSeparator();
+  };
   auto* properties = new PropertyPanel(m_document, m_time);
   connect(properties, &PropertyPanel::editRefused, this, &MainWindow::showMessage);
   connect(properties, &PropertyPanel::bodyWanted, m_tools, &SceneTools::makeRigidBody);

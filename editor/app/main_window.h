@@ -53,6 +53,8 @@ class MainWindow : public QMainWindow {
   /// A function, so that tests answer without a dialog.
   std::function<RecoveryAnswer(const Recovery&)> askRecovery;
   void showExportDialog();
+  /// In the status bar, for some seconds.
+  void showMessage(const QString& text);
   void resetLayout();
 
  protected:
@@ -65,7 +67,6 @@ class MainWindow : public QMainWindow {
   void joinTimeline();
   void joinViewport();
   void showTitle();
-  void showMessage(const QString& text);
   void updateFilm();
   void updateKeys();
   /// True if a scene was recovered.

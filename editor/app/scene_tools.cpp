@@ -25,6 +25,12 @@ SceneTools::SceneTools(SceneDocument* document, TimeContext* time, Viewport* vie
     return paintedLayer(kind, id);
   };
   connect(viewport, &Viewport::shapeEdited, this, &SceneTools::shape);
+  connect(viewport, &Viewport::copiesScattered, this, &SceneTools::scatter);
+  viewport->copiesSource = [this](const std::string& id) -> std::optional<PlanPoints> {
+    const SceneNode* node = m_document->node(id);
+    const auto* model = node ? node->as<ModelNode>() : nullptr;
+    return model ? std::optional(model->copies) : std::nullopt;
+  };
   connect(viewport, &Viewport::outlineWanted, this, &SceneTools::beginOutline);
   connect(viewport, &Viewport::editFinished, this, &SceneTools::finish);
   connect(viewport, &Viewport::editCancelled, this, &SceneTools::cancel);
@@ -51,8 +57,12 @@ void SceneTools::place(const std::string& id, const GizmoPlacement& placement) {
   report(edit::setValueAt(*m_document, id, values, m_time->filmTime(), m_session));
 }
 
-void SceneTools::shape(const std::string& id, const FlowGizmo::Values& values) {
+void SceneTools::shape(const std::string& id, const ShapeGizmo::Values& values) {
   report(edit::setValueAt(*m_document, id, values, m_time->filmTime(), m_session));
+}
+
+void SceneTools::scatter(const std::string& id, const PlanPoints& copies) {
+  report(edit::setValue(*m_document, id, "copies_m", copies, m_session));
 }
 
 void SceneTools::beginOutline(Vec2d corner) {

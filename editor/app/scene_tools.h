@@ -47,7 +47,8 @@ class SceneTools : public QObject {
   const SceneNode* paintedNode(const PaintedKind& kind, const std::string& id) const;
   std::optional<PaintedLayer> paintedLayer(const PaintedKind& kind, const std::string& id) const;
   void paint(const PaintedKind& kind, const std::string& wanted, const PaintedLayer& layer);
-  void shape(const std::string& id, const FlowGizmo::Values& values);
+  void shape(const std::string& id, const ShapeGizmo::Values& values);
+  void scatter(const std::string& id, const PlanPoints& copies);
   void beginOutline(Vec2d corner);
   void finish();
   void cancel();

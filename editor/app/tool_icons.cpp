@@ -75,6 +75,14 @@ void drawOutline(QPainter& painter) {
   for (const QPointF& corner : corners) painter.drawRect(QRectF(corner - QPointF(2, 2), QSizeF(4, 4)));
 }
 
+void drawScatter(QPainter& painter) {
+  for (const QPointF& foot : {QPointF(9, 17), QPointF(22, 14), QPointF(17, 28)}) {
+    painter.drawLine(foot, foot - QPointF(0, 3));
+    painter.drawPolygon(
+        QPolygonF({foot + QPointF(-4.5, -3), foot + QPointF(4.5, -3), foot + QPointF(0, -11)}));
+  }
+}
+
 /// A drawing in units of a 32 x 32 grid with a pen of the colour.
 template <class Draw>
 QIcon drawn(const QColor& colour, const Draw& draw) {
@@ -103,9 +111,11 @@ QIcon toolIcon(Viewport::Tool tool, const QColor& colour) {
     case Viewport::Tool::Brush:
       return drawn(colour, drawBrush);
     case Viewport::Tool::Outline:
+      return drawn(colour, drawOutline);
+    case Viewport::Tool::Scatter:
       break;
   }
-  return drawn(colour, drawOutline);
+  return drawn(colour, drawScatter);
 }
 
 QIcon brushIcon(BrushMode mode, const QColor& colour) {

@@ -142,6 +142,31 @@ void waves(QPainter& p) {
   }
 }
 
+/// Layers of snow on the ground.
+void layers(QPainter& p) {
+  polygon(p, QColor(0x7a, 0x6a, 0x58), {{1, 15}, {1, 12.2}, {6, 11}, {11, 12.4}, {15, 11.4}, {15, 15}});
+  polygon(p, QColor(0x8f, 0xb4, 0xd6),
+          {{1, 12.2}, {1, 8.8}, {6, 7.4}, {11, 9}, {15, 8}, {15, 11.4}, {11, 12.4}, {6, 11}});
+  polygon(p, QColor(0xf2, 0xf7, 0xfc),
+          {{1, 8.8}, {1, 6}, {5, 3}, {9, 5.2}, {12, 3.6}, {15, 5.4}, {15, 8}, {11, 9}, {6, 7.4}});
+  p.setPen(QPen(QColor(0x8f, 0xb4, 0xd6), 0.8));
+  p.drawPolyline(QPolygonF({{1, 6}, {5, 3}, {9, 5.2}, {12, 3.6}, {15, 5.4}}));
+}
+/// Warm air over bare ground.
+void warmth(QPainter& p) {
+  p.setBrush(QColor(0xc8, 0x4a, 0x2c));
+  p.drawEllipse(QRectF(2, 11, 12, 4));
+  p.setBrush(QColor(0xf2, 0xb0, 0x4a));
+  p.drawEllipse(QRectF(4.5, 11.9, 7, 2.2));
+  p.setBrush(Qt::NoBrush);
+  p.setPen(QPen(QColor(0xe0, 0x6a, 0x2a), 1.5, Qt::SolidLine, Qt::RoundCap));
+  for (const double x : {4.5, 8.0, 11.5}) {
+    QPainterPath wave(QPointF(x, 9.6));
+    wave.cubicTo(x - 2.6, 7.2, x + 2.6, 4.4, x, 1.6);
+    p.drawPath(wave);
+  }
+}
+
 Draw drawingOf(const QString& type) {
   static const QHash<QString, Draw> kDrawings{
       {QStringLiteral("terrain"), mountain},        {QStringLiteral("model"), house},
@@ -152,6 +177,7 @@ Draw drawingOf(const QString& type) {
       {QStringLiteral("render"), picture},          {QStringLiteral("simulation"), gear},
       {QStringLiteral("avalanche_release"), slab},  {QStringLiteral("water_source"), drop},
       {QStringLiteral("flow_sink"), drain},         {QStringLiteral("rigid_body"), boulder},
+      {QStringLiteral("snow_cover"), layers},       {QStringLiteral("heat_source"), warmth},
       {QStringLiteral("flow_material"), flask},     {QStringLiteral("flow_settings"), waves}};
   return kDrawings.value(type, gear);
 }

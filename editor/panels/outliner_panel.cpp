@@ -71,6 +71,7 @@ void OutlinerPanel::fillAddMenu(QMenu* menu) {
     action->setToolTip(QCoreApplication::translate("Properties", type->doc));
     action->setEnabled(!type->single || !m_document->scene().firstOf(*type));
     connect(action, &QAction::triggered, this, [this, type] {
+      if (addNode) return addNode(*type);
       if (auto added = edit::addNode(*m_document, *type, {}); !added)
         Q_EMIT editRefused(QString::fromStdString(added.error().text()));
     });
@@ -78,22 +79,27 @@ void OutlinerPanel::fillAddMenu(QMenu* menu) {
 }
 
 void OutlinerPanel::showMenu(const QPoint& position) {
-  const QModelIndex index = m_view->indexAt(position);
-  const std::string id = m_model->idAt(index);
+  const std::string id = m_model->idAt(m_view->indexAt(position));
+  if (!id.empty()) m_document->select(id);
   QMenu menu(this);
   menu.setObjectName(QStringLiteral("outlinerMenu"));
-  if (const SceneNode* node = m_document->node(id)) {
-    menu.addAction(tr("Rename"), this, [this, index] { m_view->edit(index); });
-    QAction* copy = menu.addAction(tr("Duplicate"), this, [this, id] {
-      if (auto copied = edit::duplicateNode(*m_document, id); !copied)
-        Q_EMIT editRefused(QString::fromStdString(copied.error().text()));
-    });
-    copy->setEnabled(!node->type->single);
-    menu.addAction(tr("Remove"), this, &OutlinerPanel::removeSelected);
-    menu.addSeparator();
-  }
+  fillNodeMenu(&menu, id);
   fillAddMenu(menu.addMenu(tr("Add")));
   menu.exec(m_view->viewport()->mapToGlobal(position));
+}
+
+void OutlinerPanel::fillNodeMenu(QMenu* menu, const std::string& id) {
+  const SceneNode* node = m_document->node(id);
+  if (!node) return;
+  menu->addAction(tr("Rename"), this, [this, id] { m_view->edit(m_model->indexOf(id)); });
+  QAction* copy = menu->addAction(tr("Duplicate"), this, [this, id] {
+    if (auto copied = edit::duplicateNode(*m_document, id); !copied)
+      Q_EMIT editRefused(QString::fromStdString(copied.error().text()));
+  });
+  copy->setEnabled(!node->type->single);
+  menu->addAction(tr("Remove"), this, &OutlinerPanel::removeSelected);
+  menu->addSeparator();
+  if (extendMenu) extendMenu(menu, *node);
 }
 
 void OutlinerPanel::removeSelected() {

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
+
+#include "core/property/scene_node.h"
 
 class QMenu;
 class QToolButton;
@@ -23,6 +26,12 @@ class OutlinerPanel : public QWidget {
   /// Fills a menu with "add" actions for all types of nodes; also for the main window's menu.
   void fillAddMenu(QMenu* menu);
   void removeSelected();
+  /// Adds a node where the user asked for one; null = with defaults.
+  std::function<void(const NodeType& type)> addNode;
+  /// Adds to the menu of a node what else can be done with it; may be null. The node is selected.
+  std::function<void(QMenu* menu, const SceneNode& node)> extendMenu;
+  /// Fills the menu of a node.
+  void fillNodeMenu(QMenu* menu, const std::string& id);
 
  Q_SIGNALS:
   /// An edit was refused; for the status bar.

@@ -2,10 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "editor/viewport/shape_painter.h"
 
+#include <QCoreApplication>
+#include <QLocale>
 #include <QPainter>
 #include <cmath>
 
 #include "core/fields/terrain_surface.h"
+#include "core/nodes/cover_nodes.h"
+#include "core/nodes/flow_nodes.h"
+#include "core/nodes/weather_nodes.h"
+#include "editor/viewport/overlay_painter.h"
 
 namespace spin {
 namespace {
@@ -32,13 +38,30 @@ void paintTip(QPainter& painter, QPointF from, QPointF to) {
   painter.drawPolygon(QPolygonF({to + u * 9.0, to + v * 5.0, to - v * 5.0}));
 }
 
+QString inWords(const char* text) {
+  return QCoreApplication::translate("Viewport", text);
+}
+
+QString number(double v, int digits) {
+  return QLocale().toString(v, 'f', digits);
+}
+
+QString weatherText(const WeatherNode& weather, ShapeHandle handle) {
+  const auto turn = [](double degrees) { return number(degrees - 360.0 * std::floor(degrees / 360.0), 0); };
+  if (handle == ShapeHandle::Sun)
+    return inWords(QT_TRANSLATE_NOOP("Viewport", "Sun in %1\u00b0, %2\u00b0 high"))
+        .arg(turn(weather.sunAzimuthDegrees), number(weather.sunElevationDegrees, 0));
+  return inWords(QT_TRANSLATE_NOOP("Viewport", "Wind %1 m/s from %2\u00b0"))
+      .arg(number(weather.windSpeed, 1), turn(weather.windFromDegrees));
+}
+
 }  // namespace
 
-void paintShapeLines(QPainter& painter, const ViewportContext& context, const FlowShape& shape,
+void paintShapeLines(QPainter& painter, const ViewportContext& context, const NodeShape& shape,
                      bool selected) {
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor colour = selected ? QColor(255, 196, 92) : QColor(120, 190, 235);
-  for (const FlowShape::Line& line : shape.lines) {
+  for (const NodeShape::Line& line : shape.lines) {
     const std::size_t pieces = line.points.size() - (line.closed ? 0 : 1);
     for (std::size_t k = 0; k < pieces; ++k) {
       const Vec3d from = line.points[k], to = line.points[(k + 1) % line.points.size()];
@@ -59,9 +82,14 @@ void paintShapeLines(QPainter& painter, const ViewportContext& context, const Fl
       painter.setBrush(Qt::NoBrush);
     }
   }
+  if (const auto at = shape.north ? context.view.project(*shape.north) : std::nullopt) {
+    painter.setPen(colour);
+    painter.drawText(QRectF(at->x - 12, at->y - 12, 24, 24), Qt::AlignCenter,
+                     inWords(QT_TRANSLATE_NOOP("Viewport", "N")));
+  }
 }
 
-void paintShapePoints(QPainter& painter, const ViewFrame& view, const FlowShape& shape,
+void paintShapePoints(QPainter& painter, const ViewFrame& view, const NodeShape& shape,
                       const std::optional<ShapePoint>& active) {
   painter.setRenderHint(QPainter::Antialiasing);
   for (const ShapePoint& point : shape.points) {
@@ -70,7 +98,8 @@ void paintShapePoints(QPainter& painter, const ViewFrame& view, const FlowShape&
     const bool chosen = active && active->handle == point.handle && active->index == point.index;
     painter.setPen(QPen(QColor(0, 0, 0, 170), 1.2));
     painter.setBrush(chosen ? QColor(255, 240, 150) : QColor(255, 196, 92));
-    const double r = chosen ? 6.5 : 5.0;
+    double r = chosen ? 6.5 : 5.0;
+    if (point.handle == ShapeHandle::Sun) r += 4.0;
     const QPointF p(at->x, at->y);
     if (point.handle == ShapeHandle::Corner || point.handle == ShapeHandle::Face)
       painter.drawRect(QRectF(p - QPointF(r, r) * 0.85, QSizeF(2 * r, 2 * r) * 0.85));
@@ -78,6 +107,24 @@ void paintShapePoints(QPainter& painter, const ViewFrame& view, const FlowShape&
       painter.drawEllipse(p, r, r);
   }
   painter.setBrush(Qt::NoBrush);
+}
+
+QString shapeText(const ViewportContext& context, const std::string& id, const ShapePoint& point) {
+  const SceneNode* node = findShapeNode(context, id);
+  if (!node) return {};
+  const auto data = evaluate(*node, context.filmTime);
+  if (const auto* weather = dynamic_cast<const WeatherNode*>(data.get()))
+    return weatherText(*weather, point.handle);
+  const auto* heat = dynamic_cast<const HeatSourceNode*>(data.get());
+  const auto* source = dynamic_cast<const WaterSourceNode*>(data.get());
+  const auto* body = dynamic_cast<const RigidBodyNode*>(data.get());
+  if (point.handle == ShapeHandle::Rim && (heat || source))
+    return inWords(QT_TRANSLATE_NOOP("Viewport", "Radius %1 m"))
+        .arg(number(heat ? heat->radius : source->radius, heat ? 1 : 2));
+  if (point.handle == ShapeHandle::Arrow && (source || body))
+    return inWords(QT_TRANSLATE_NOOP("Viewport", "%1 m/s"))
+        .arg(number(length(source ? source->velocity : body->velocity), 1));
+  return {};
 }
 
 }  // namespace spin

@@ -33,6 +33,14 @@ SnapshotPointer withPreview(const SceneSnapshot& plain, const Viewport::LayerPre
   return scene;
 }
 
+/// The model that a rigid body makes solid; other nodes themselves.
+std::string modelOf(const SceneSnapshot& scene, const std::string& id) {
+  for (const SceneNode& node : scene.nodes)
+    if (node.id == id)
+      if (const auto* body = node.as<RigidBodyNode>()) return body->model;
+  return id;
+}
+
 }  // namespace
 
 Viewport::Viewport(QWidget* parent) : QWidget(parent), m_chosenKind(&m_brush.kind()) {
@@ -106,14 +114,16 @@ void Viewport::setSelected(const std::string& node) {
   if (node == m_selected) return;
   m_selected = node;
   m_options.selectedNode = node;
-  m_gizmo.setNode(node);
   m_shape.setNode(node);
   followSelection();
   refresh();
 }
 
-/// The brush paints the selected node where that is painted on.
+/// The gizmo stands on the selected model or the selected body's; the brush paints the selected node where
+/// that is painted on.
 void Viewport::followSelection() {
+  if (!m_gizmo.dragging()) m_gizmo.setNode(m_scene ? modelOf(*m_scene, m_selected) : m_selected);
+  followModel();
   if (m_brush.painting()) return;
   const PaintedKind* kind = nullptr;
   if (m_scene)
@@ -138,7 +148,7 @@ void Viewport::setTool(Tool tool) {
   else
     m_gizmo.setMode(GizmoMode::Move);
   m_brush.leave();
-  const bool draws = tool == Tool::Brush || tool == Tool::Outline;
+  const bool draws = hasTip() || tool == Tool::Outline;
   m_surface->setCursor(draws ? Qt::CrossCursor : Qt::ArrowCursor);
   updateGround();
 }
@@ -284,6 +294,8 @@ void Viewport::paintOverlay(QPainter& painter) const {
     paintGroundLegend(painter, QRectF(m_surface->rect()), *scale);
   if (m_tool == Tool::Brush) {
     paintBrush(painter, seen);
+  } else if (m_tool == Tool::Scatter) {
+    paintScatter(painter, seen);
   } else if (m_tool != Tool::Select) {
     const auto pose = m_gizmo.pose(seen);
     const GizmoHandle active = m_gizmo.dragging() ? m_gizmo.activeHandle() : m_hovered;
@@ -291,20 +303,25 @@ void Viewport::paintOverlay(QPainter& painter) const {
   }
 }
 
-/// Lines of all releases, sources and sinks; handles of the selected one where a tool moves them.
+/// Lines of all nodes that are no models; handles of the selected one where a tool moves them.
 void Viewport::paintShapes(QPainter& painter, const ViewportContext& seen) const {
   if (!m_scene || m_lookThrough) return;
-  for (const SceneNode& node : m_scene->nodes)
-    if (node.id != m_selected) paintShapeLines(painter, seen, flowShape(seen, node.id), false);
-  const FlowShape shape = flowShape(seen, m_selected);
+  for (const SceneNode& node : m_scene->nodes) {
+    if (node.id == m_selected) continue;
+    const NodeShape shape = nodeShape(seen, node.id);
+    if (!shape.quiet) paintShapeLines(painter, seen, shape, false);
+  }
+  const NodeShape shape = nodeShape(seen, m_selected);
   paintShapeLines(painter, seen, shape, true);
-  if (m_tool == Tool::Select || m_tool == Tool::Brush) return;
+  if (hasTip()) return;
   std::optional<ShapePoint> active;
   if (m_shape.dragging())
     active = m_shape.grabbed();
   else
     active = m_shape.pointAt(seen, m_pointer);
   paintShapePoints(painter, seen.view, shape, active);
+  const QString text = active ? shapeText(seen, m_selected, *active) : QString();
+  if (!text.isEmpty()) paintTag(painter, {m_pointer.x, m_pointer.y}, text);
 }
 
 }  // namespace spin

@@ -10,8 +10,9 @@
 #include "editor/render/ground_scale.h"
 #include "editor/render/value_scale.h"
 #include "editor/viewport/brush_adjust.h"
-#include "editor/viewport/flow_gizmo.h"
 #include "editor/viewport/ground_brush.h"
+#include "editor/viewport/scatter_brush.h"
+#include "editor/viewport/shape_gizmo.h"
 #include "editor/viewport/view_navigator.h"
 
 namespace spin {
@@ -24,7 +25,7 @@ class PictureView;
 class Viewport : public QWidget {
   Q_OBJECT
  public:
-  enum class Tool { Select, Move, Rotate, Scale, Brush, Outline };
+  enum class Tool { Select, Move, Rotate, Scale, Brush, Outline, Scatter };
 
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;
@@ -67,6 +68,12 @@ class Viewport : public QWidget {
   std::function<std::optional<PaintedLayer>(const PaintedKind& kind, const std::string& node)> layerSource;
   /// The layer as strokes begin with it. Requires terrain.
   PaintedLayer layerToPaint() const;
+  const ScatterBrush& scatter() const { return m_scatter; }
+  void setScatterDensity(double perSquareMetre);
+  void setScatterDistance(double metres);
+  void setScatterErases(bool on);
+  /// As layerSource: the copies of a model that a stroke begins with.
+  std::function<std::optional<PlanPoints>(const std::string& node)> copiesSource;
   /// A layer that is shown in the place of the scene's, to see what would come.
   struct LayerPreview {
     const PaintedKind* kind = nullptr;
@@ -88,7 +95,7 @@ class Viewport : public QWidget {
 
   ViewportContext context() const;
   const ModelGizmo& gizmo() const { return m_gizmo; }
-  const FlowGizmo& shape() const { return m_shape; }
+  const ShapeGizmo& shape() const { return m_shape; }
   /// What the colours of the shown frame mean; nothing where they stand for no values.
   const std::optional<ValueLegend>& legend() const { return m_legend; }
   /// The same of the snow cover.
@@ -104,9 +111,11 @@ class Viewport : public QWidget {
   /// The brush paints: the whole layer, again and again until editFinished(). An empty node is the first of
   /// the kind, which may have to be made.
   void layerPainted(const spin::PaintedKind& kind, const std::string& node, const spin::PaintedLayer& layer);
-  /// A handle of a release, source or sink is dragged: properties of the node, again and again until
+  /// Copies of a model are scattered or taken away: all of them, again and again until editFinished().
+  void copiesScattered(const std::string& node, const spin::PlanPoints& copies);
+  /// A handle of a node that is not a model is dragged: properties of the node, again and again until
   /// editFinished().
-  void shapeEdited(const std::string& id, const spin::FlowGizmo::Values& values);
+  void shapeEdited(const std::string& id, const spin::ShapeGizmo::Values& values);
   /// The outline tool is used where no release is selected: a new one is to begin here, in plan.
   void outlineWanted(spin::Vec2d corner);
   void editStarted();
@@ -116,6 +125,8 @@ class Viewport : public QWidget {
   void brushRadiusChanged(double metres);
   /// Anything of the brush: tip, mode, layer, value.
   void brushChanged();
+  /// Anything of the brush for copies: model, density, distance, mode.
+  void scatterChanged();
   void lookThroughChanged(bool on);
   void drawn(double seconds);
   void failed(const QString& message);
@@ -140,7 +151,20 @@ class Viewport : public QWidget {
   void endAdjust(bool keep);
   BrushMode modeFor(Qt::KeyboardModifiers keys) const;
   bool beginShape(Vec2d pixel);
-  bool editing() const { return m_gizmo.dragging() || m_brush.painting() || m_shape.dragging(); }
+  bool editing() const {
+    return m_gizmo.dragging() || m_brush.painting() || m_shape.dragging() || m_scatter.scattering();
+  }
+  void letGo();
+  /// Whether the tool has a round tip.
+  bool hasTip() const { return m_tool == Tool::Brush || m_tool == Tool::Scatter; }
+  void followModel();
+  PlanPoints copiesToPaint() const;
+  bool scatterErases(Qt::KeyboardModifiers keys) const;
+  bool beginScatter(Vec2d pixel, Qt::KeyboardModifiers keys);
+  void dragScatter(Vec2d pixel);
+  void paintScatter(QPainter& painter, const ViewportContext& seen) const;
+  void paintCopies(QPainter& painter, const ViewportContext& seen, const PlanPoints& copies,
+                   const QColor& colour) const;
   void dragShape(const QMouseEvent& event);
   void followSelection();
   void updateLegend();
@@ -171,8 +195,9 @@ class Viewport : public QWidget {
   Tool m_tool = Tool::Select;
   ViewNavigator m_navigator;
   ModelGizmo m_gizmo;
-  FlowGizmo m_shape;
+  ShapeGizmo m_shape;
   GroundBrush m_brush;
+  ScatterBrush m_scatter;
   std::optional<BrushAdjust> m_adjust;
   const PaintedKind* m_chosenKind;  ///< what the brush paints while no painted node is selected
   double m_pressure = 1.0;          ///< of the pen

@@ -116,7 +116,7 @@ bool Viewport::pick() {
 /// F and Shift+F change the tip while the brush is the tool.
 bool Viewport::brushKey(const QKeyEvent& event) {
   const bool plain = !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
-  if (m_tool != Tool::Brush || event.key() != Qt::Key_F || !plain || m_brush.painting()) return false;
+  if (!hasTip() || event.key() != Qt::Key_F || !plain || editing()) return false;
   if (event.isAutoRepeat()) return true;
   if (event.type() == QEvent::KeyRelease) {
     if (m_adjust && m_adjust->moved()) endAdjust(true);
@@ -127,7 +127,7 @@ bool Viewport::brushKey(const QKeyEvent& event) {
     endAdjust(true);
     return true;
   }
-  const bool strength = event.modifiers().testFlag(Qt::ShiftModifier);
+  const bool strength = m_tool == Tool::Brush && event.modifiers().testFlag(Qt::ShiftModifier);
   m_adjust.emplace(strength ? BrushAdjust::What::Strength : BrushAdjust::What::Radius, m_brush.tip(),
                    m_pointer);
   updateOverlay();

@@ -96,13 +96,14 @@ bool Viewport::beginEdit(const QMouseEvent& event) {
   const Vec2d pixel = pixelOf(event.position());
   const ViewportContext seen = context();
   if (m_tool == Tool::Brush) return beginBrush(pixel, event.modifiers());
-  if (m_tool != Tool::Select && beginShape(pixel)) return true;
+  if (m_tool == Tool::Scatter) return beginScatter(pixel, event.modifiers());
+  if (beginShape(pixel)) return true;
   if (m_tool == Tool::Select || m_tool == Tool::Outline || !m_gizmo.begin(seen, pixel)) return false;
   Q_EMIT editStarted();
   return true;
 }
 
-/// Grabs a handle of the selected release, source or sink; the outline tool also adds corners.
+/// Grabs a handle of the selected node that is not a model; the outline tool also adds corners.
 bool Viewport::beginShape(Vec2d pixel) {
   const ViewportContext seen = context();
   if (m_tool != Tool::Outline) {
@@ -151,6 +152,10 @@ bool Viewport::move(const QMouseEvent& event) {
     dragShape(event);
     return true;
   }
+  if (m_scatter.scattering()) {
+    dragScatter(pixel);
+    return true;
+  }
   if (m_brush.painting()) {
     m_surface->setMoving(true);
     if (m_brush.drag(context(), pixel, m_pressure))
@@ -163,11 +168,12 @@ bool Viewport::move(const QMouseEvent& event) {
 }
 
 void Viewport::hover(Vec2d pixel) {
-  if (m_tool == Tool::Brush) {
+  if (hasTip()) {
     m_brush.hover(context(), pixel);
     updateOverlay();
-  } else if (m_tool != Tool::Select) {
-    const GizmoHandle handle = m_gizmo.handleAt(context(), pixel);
+  } else {
+    const GizmoHandle handle =
+        m_tool == Tool::Select ? GizmoHandle::None : m_gizmo.handleAt(context(), pixel);
     if (handle != m_hovered || findShapeNode(context(), m_selected)) updateOverlay();
     m_hovered = handle;
   }
@@ -185,7 +191,7 @@ bool Viewport::release(const QMouseEvent& event) {
     return true;
   }
   const QPointF travel = event.position() - m_pressed;
-  const bool selects = m_tool != Tool::Brush && m_tool != Tool::Outline;
+  const bool selects = !hasTip() && m_tool != Tool::Outline;
   if (m_clicking && travel.manhattanLength() <= kClickPixels && selects && m_scene) {
     const ViewportContext seen = context();
     const Vec2d pixel = pixelOf(event.position());
@@ -198,12 +204,17 @@ bool Viewport::release(const QMouseEvent& event) {
   return true;
 }
 
-void Viewport::endEdit() {
+void Viewport::letGo() {
   m_gizmo.end();
   m_brush.end();
   m_shape.end();
+  m_scatter.end();
   m_surface->setMoving(false);
   updateOverlay();
+}
+
+void Viewport::endEdit() {
+  letGo();
   Q_EMIT editFinished();
 }
 
@@ -213,11 +224,7 @@ bool Viewport::cancelEdit() {
     return true;
   }
   if (!editing()) return false;
-  m_gizmo.end();
-  m_brush.end();
-  m_shape.end();
-  m_surface->setMoving(false);
-  updateOverlay();
+  letGo();
   Q_EMIT editCancelled();
   return true;
 }
@@ -225,7 +232,7 @@ bool Viewport::cancelEdit() {
 bool Viewport::wheel(const QWheelEvent& event) {
   const double steps = event.angleDelta().y() / kWheelUnitsPerStep;
   if (steps == 0.0) return false;
-  if (m_tool == Tool::Brush && event.modifiers().testFlag(Qt::ControlModifier)) {
+  if (hasTip() && event.modifiers().testFlag(Qt::ControlModifier)) {
     setBrushRadius(steppedBrushRadius(m_brush.tip().radius, steps > 0 ? 1 : -1));
     return true;
   }

@@ -4,10 +4,8 @@
 
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
-#include "editor/viewport/flow_shape.h"
+#include "editor/viewport/node_shape.h"
 
 namespace spin {
 
@@ -17,11 +15,11 @@ struct DragKeys {
   bool lift = false;  ///< up and down instead of along the ground
 };
 
-/// Handles of the selected release, source or sink: what is grabbed and what the node's properties become.
+/// Handles of the selected node that is not a model: what is grabbed and what the node's properties become.
 /// Tells values; changes nothing itself. Each step of a drag is computed from its start.
-class FlowGizmo {
+class ShapeGizmo {
  public:
-  using Values = std::vector<std::pair<std::string, Value>>;
+  using Values = ShapeValues;
 
   void setNode(std::string id) { m_node = std::move(id); }
   const std::string& node() const { return m_node; }

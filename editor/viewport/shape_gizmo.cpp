@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "editor/viewport/flow_gizmo.h"
+#include "editor/viewport/shape_gizmo.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/nodes/camera_node.h"
+#include "core/nodes/cover_nodes.h"
 #include "core/nodes/flow_nodes.h"
+#include "editor/viewport/place_shape.h"
 #include "editor/viewport/scene_picker.h"
 
 namespace spin {
@@ -51,7 +54,9 @@ std::optional<Vec3d> groundUnder(const ViewportContext& c, Vec2d pixel, Vec3d ha
 
 /// Whether the handle goes along the terrain instead of freely in space.
 bool followsGround(const NodeData& data, const ShapePoint& point) {
-  if (dynamic_cast<const AvalancheReleaseNode*>(&data)) return true;
+  if (dynamic_cast<const AvalancheReleaseNode*>(&data) || dynamic_cast<const HeatSourceNode*>(&data))
+    return true;
+  if (dynamic_cast<const CameraNode*>(&data)) return point.index == 1;
   const auto* source = dynamic_cast<const WaterSourceNode*>(&data);
   return source && source->onGround &&
          (point.handle == ShapeHandle::End || point.handle == ShapeHandle::Centre);
@@ -61,6 +66,8 @@ bool followsGround(const NodeData& data, const ShapePoint& point) {
 std::optional<Vec3d> placeUnder(const ViewportContext& c, const NodeData& data, const ShapePoint& point,
                                 Vec2d pixel, bool lift) {
   const ViewRay ray = c.view.ray(pixel);
+  if (point.handle == ShapeHandle::Sun) return sunUnder(c, ray, point.place);
+  if (point.handle == ShapeHandle::Wind) return intersectPlane(ray, point.place, {0, 0, 1});
   if (point.handle == ShapeHandle::Face) {
     const std::size_t axis = point.index / 2;
     return alongAxis(ray, point.place, {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0});
@@ -71,22 +78,22 @@ std::optional<Vec3d> placeUnder(const ViewportContext& c, const NodeData& data, 
   return intersectPlane(ray, point.place, {0, 0, 1});
 }
 
-FlowGizmo::Values outlineValues(PlanPoints outline, const ShapePoint& point, Vec3d offset, bool snap) {
+ShapeGizmo::Values outlineValues(PlanPoints outline, const ShapePoint& point, Vec3d offset, bool snap) {
   const Vec2d by{rounded(offset.x, snap), rounded(offset.y, snap)};
   for (std::size_t k = 0; k < outline.size(); ++k)
     if (point.handle == ShapeHandle::Centre || k == point.index) outline[k] = outline[k] + by;
   return {{"outline_m", std::move(outline)}};
 }
 
-FlowGizmo::Values sourceValues(const ViewportContext& c, const WaterSourceNode& source,
-                               const ShapePoint& point, Vec3d offset, bool snap) {
+ShapeGizmo::Values sourceValues(const ViewportContext& c, const WaterSourceNode& source,
+                                const ShapePoint& point, Vec3d offset, bool snap) {
   // On the ground heights count from the terrain: they stay unless lifted.
   Vec3d by = rounded(offset, snap);
   if (source.onGround && (by.x != 0.0 || by.y != 0.0)) by.z = 0.0;
   switch (point.handle) {
     case ShapeHandle::End:
-      return point.index == 0 ? FlowGizmo::Values{{"position_m", source.position + by}}
-                              : FlowGizmo::Values{{"end_m", source.end + by}};
+      return point.index == 0 ? ShapeGizmo::Values{{"position_m", source.position + by}}
+                              : ShapeGizmo::Values{{"end_m", source.end + by}};
     case ShapeHandle::Centre:
       if (source.shape == WaterSourceShape::Disc) return {{"position_m", source.position + by}};
       return {{"position_m", source.position + by}, {"end_m", source.end + by}};
@@ -106,13 +113,12 @@ FlowGizmo::Values sourceValues(const ViewportContext& c, const WaterSourceNode& 
     if (source.onGround) end.z += groundHeight(*c.scene, end.x, end.y);
     middle = (middle + end) * 0.5;
   }
-  Vec3d velocity = rounded(source.velocity + offset * (1.0 / arrowScale(c.view, middle)), snap);
-  for (double* part : {&velocity.x, &velocity.y, &velocity.z}) *part = std::clamp(*part, -100.0, 100.0);
-  return {{"velocity_m_s", velocity}};
+  const Vec3d arrow = source.velocity * arrowScale(c.view, middle) + offset;
+  return {{"velocity_m_s", velocityOf(arrow, c.view, middle, snap)}};
 }
 
-FlowGizmo::Values sinkValues(const ViewportContext& c, const FlowSinkNode& sink, const ShapePoint& point,
-                             Vec3d offset, bool snap) {
+ShapeGizmo::Values sinkValues(const ViewportContext& c, const FlowSinkNode& sink, const ShapePoint& point,
+                              Vec3d offset, bool snap) {
   if (point.handle == ShapeHandle::Centre) return {{"position_m", sink.position + rounded(offset, snap)}};
   if (point.handle == ShapeHandle::Arrow) {
     const Vec3d arm = point.place + offset - sink.position;
@@ -133,10 +139,10 @@ FlowGizmo::Values sinkValues(const ViewportContext& c, const FlowSinkNode& sink,
 
 }  // namespace
 
-std::optional<ShapePoint> FlowGizmo::pointAt(const ViewportContext& context, Vec2d pixel) const {
+std::optional<ShapePoint> ShapeGizmo::pointAt(const ViewportContext& context, Vec2d pixel) const {
   std::optional<ShapePoint> best;
   double nearest = kGrabPixels;
-  for (const ShapePoint& point : flowShape(context, m_node).points) {
+  for (const ShapePoint& point : nodeShape(context, m_node).points) {
     const double distance = pixelDistance(context.view, point.place, pixel);
     if (distance >= nearest) continue;
     nearest = distance;
@@ -145,8 +151,8 @@ std::optional<ShapePoint> FlowGizmo::pointAt(const ViewportContext& context, Vec
   return best;
 }
 
-void FlowGizmo::grab(const ViewportContext& context, const ShapePoint& point, PlanPoints outline,
-                     Vec2d pixel) {
+void ShapeGizmo::grab(const ViewportContext& context, const ShapePoint& point, PlanPoints outline,
+                      Vec2d pixel) {
   const SceneNode* node = findShapeNode(context, m_node);
   Grab made{
       point, std::shared_ptr<const NodeData>(evaluate(*node, context.filmTime)), std::move(outline), {}};
@@ -155,7 +161,7 @@ void FlowGizmo::grab(const ViewportContext& context, const ShapePoint& point, Pl
   m_grab = std::move(made);
 }
 
-bool FlowGizmo::begin(const ViewportContext& context, Vec2d pixel) {
+bool ShapeGizmo::begin(const ViewportContext& context, Vec2d pixel) {
   const auto point = pointAt(context, pixel);
   if (!point) return false;
   const AvalancheReleaseNode* release = releaseOf(context, m_node);
@@ -163,7 +169,7 @@ bool FlowGizmo::begin(const ViewportContext& context, Vec2d pixel) {
   return true;
 }
 
-bool FlowGizmo::beginOutline(const ViewportContext& context, Vec2d pixel) {
+bool ShapeGizmo::beginOutline(const ViewportContext& context, Vec2d pixel) {
   const AvalancheReleaseNode* release = releaseOf(context, m_node);
   if (!release) return false;
   if (begin(context, pixel)) return true;
@@ -185,7 +191,7 @@ bool FlowGizmo::beginOutline(const ViewportContext& context, Vec2d pixel) {
   return true;
 }
 
-FlowGizmo::Values FlowGizmo::drag(const ViewportContext& context, Vec2d pixel, DragKeys keys) {
+ShapeGizmo::Values ShapeGizmo::drag(const ViewportContext& context, Vec2d pixel, DragKeys keys) {
   const Grab& g = *m_grab;
   const auto under = placeUnder(context, *g.start, g.point, pixel, keys.lift);
   // Lifted, the handle's own place counts: the pointer has left the plane that it grabbed.
@@ -194,10 +200,13 @@ FlowGizmo::Values FlowGizmo::drag(const ViewportContext& context, Vec2d pixel, D
     return outlineValues(g.outline, g.point, offset, keys.snap);
   if (const auto* source = dynamic_cast<const WaterSourceNode*>(g.start.get()))
     return sourceValues(context, *source, g.point, offset, keys.snap);
-  return sinkValues(context, dynamic_cast<const FlowSinkNode&>(*g.start), g.point, offset, keys.snap);
+  if (const auto* sink = dynamic_cast<const FlowSinkNode*>(g.start.get()))
+    return sinkValues(context, *sink, g.point, offset, keys.snap);
+  return placeValues(context, *g.start, g.point, offset, keys.snap);
 }
 
-std::optional<FlowGizmo::Values> FlowGizmo::withoutCorner(const ViewportContext& context, Vec2d pixel) const {
+std::optional<ShapeGizmo::Values> ShapeGizmo::withoutCorner(const ViewportContext& context,
+                                                            Vec2d pixel) const {
   const auto point = pointAt(context, pixel);
   if (!point || point->handle != ShapeHandle::Corner) return std::nullopt;
   const AvalancheReleaseNode* release = releaseOf(context, m_node);

@@ -31,7 +31,7 @@ struct Fixture {
     viewport.setCamera({{128, -80, 140}, {128, 128, 15}, 45});
     viewport.show();
     QObject::connect(&viewport, &Viewport::shapeEdited, &viewport,
-                     [this](const std::string& id, const FlowGizmo::Values& values) {
+                     [this](const std::string& id, const ShapeGizmo::Values& values) {
                        edited = id;
                        outline = std::get<PlanPoints>(values.at(0).second);
                        ++edits;
@@ -57,7 +57,7 @@ struct Fixture {
 }  // namespace
 
 /// The tools for what flows, without a picture (platform offscreen).
-class FlowToolsTest : public QObject {
+class ShapeToolsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
@@ -168,5 +168,5 @@ class FlowToolsTest : public QObject {
   }
 };
 
-QTEST_MAIN(FlowToolsTest)
-#include "flow_tools_test.moc"
+QTEST_MAIN(ShapeToolsTest)
+#include "shape_tools_test.moc"

@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "editor/viewport/flow_shape.h"
+#include "editor/viewport/node_shape.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/units.h"
 #include "core/fields/terrain_surface.h"
+#include "core/nodes/camera_node.h"
+#include "core/nodes/cover_nodes.h"
 #include "core/nodes/flow_nodes.h"
+#include "core/nodes/weather_nodes.h"
+#include "editor/viewport/place_shape.h"
 
 namespace spin {
 namespace {
@@ -36,7 +40,7 @@ Vec3d directionOf(Vec3d v) {
   return length(v) > 1e-9 ? normalized(v) : Vec3d{0, 0, 1};
 }
 
-void addRelease(const ViewportContext& c, const AvalancheReleaseNode& release, FlowShape& shape) {
+void addRelease(const ViewportContext& c, const AvalancheReleaseNode& release, NodeShape& shape) {
   const PlanPoints& outline = release.outline;
   if (outline.size() > 1)
     shape.lines.push_back({draped(*c.scene, outline, outline.size() > 2), false, false});
@@ -52,7 +56,7 @@ void addRelease(const ViewportContext& c, const AvalancheReleaseNode& release, F
       {ShapeHandle::Centre, 0, {middle.x, middle.y, groundHeight(*c.scene, middle.x, middle.y) + kLift}});
 }
 
-void addSource(const ViewportContext& c, const WaterSourceNode& source, FlowShape& shape) {
+void addSource(const ViewportContext& c, const WaterSourceNode& source, NodeShape& shape) {
   const Vec3d a = onGround(*c.scene, source.position, source.onGround);
   Vec3d middle = a;
   if (source.shape == WaterSourceShape::Line) {
@@ -64,7 +68,7 @@ void addSource(const ViewportContext& c, const WaterSourceNode& source, FlowShap
   } else {
     Vec3d u{}, v{};
     across(directionOf(source.velocity), u, v);
-    FlowShape::Line rim{{}, true, false};
+    NodeShape::Line rim{{}, true, false};
     for (int k = 0; k < kDiscPoints; ++k) {
       const double angle = 2.0 * kPi * k / kDiscPoints;
       rim.points.push_back(a + (u * std::cos(angle) + v * std::sin(angle)) * source.radius);
@@ -78,7 +82,7 @@ void addSource(const ViewportContext& c, const WaterSourceNode& source, FlowShap
   shape.points.push_back({ShapeHandle::Centre, 0, middle});
 }
 
-void addPlane(const ViewportContext& c, const FlowSinkNode& sink, FlowShape& shape) {
+void addPlane(const ViewportContext& c, const FlowSinkNode& sink, NodeShape& shape) {
   const Vec3d normal = directionOf(sink.normal);
   Vec3d u{}, v{};
   across(normal, u, v);
@@ -91,22 +95,10 @@ void addPlane(const ViewportContext& c, const FlowSinkNode& sink, FlowShape& sha
   shape.points.push_back({ShapeHandle::Centre, 0, sink.position});
 }
 
-void addBox(const FlowSinkNode& sink, FlowShape& shape) {
-  const Vec3d h = sink.size * 0.5;
-  const auto at = [&](int x, int y, int z) { return sink.position + Vec3d{x * h.x, y * h.y, z * h.z}; };
-  for (const int z : {-1, 1})
-    shape.lines.push_back({{at(-1, -1, z), at(1, -1, z), at(1, 1, z), at(-1, 1, z)}, true, false});
-  for (const int x : {-1, 1})
-    for (const int y : {-1, 1}) shape.lines.push_back({{at(x, y, -1), at(x, y, 1)}, false, false});
-  for (int face = 0; face < 6; ++face) {
-    Vec3d p = sink.position;
-    const double side = face % 2 == 0 ? -1.0 : 1.0;
-    if (face / 2 == 0) p.x += side * h.x;
-    if (face / 2 == 1) p.y += side * h.y;
-    if (face / 2 == 2) p.z += side * h.z;
-    shape.points.push_back({ShapeHandle::Face, static_cast<std::size_t>(face), p});
-  }
-  shape.points.push_back({ShapeHandle::Centre, 0, sink.position});
+bool mayHaveShape(const SceneNode& node) {
+  return node.as<AvalancheReleaseNode>() || node.as<WaterSourceNode>() || node.as<FlowSinkNode>() ||
+         node.as<HeatSourceNode>() || node.as<WeatherNode>() || node.as<CameraNode>() ||
+         node.as<FlowSettingsNode>() || node.as<RigidBodyNode>();
 }
 
 }  // namespace
@@ -115,6 +107,32 @@ double groundHeight(const SceneSnapshot& scene, double x, double y) {
   return scene.terrain && !scene.terrain->heights.empty()
              ? TerrainSurface(scene.terrain->heights).nearestHeight(x, y)
              : 0.0;
+}
+
+void addBoxShape(Vec3d centre, Vec3d size, NodeShape& shape) {
+  const Vec3d h = size * 0.5;
+  const auto at = [&](int x, int y, int z) { return centre + Vec3d{x * h.x, y * h.y, z * h.z}; };
+  for (const int z : {-1, 1})
+    shape.lines.push_back({{at(-1, -1, z), at(1, -1, z), at(1, 1, z), at(-1, 1, z)}, true, false});
+  for (const int x : {-1, 1})
+    for (const int y : {-1, 1}) shape.lines.push_back({{at(x, y, -1), at(x, y, 1)}, false, false});
+  for (int face = 0; face < 6; ++face) {
+    Vec3d p = centre;
+    const double side = face % 2 == 0 ? -1.0 : 1.0;
+    if (face / 2 == 0) p.x += side * h.x;
+    if (face / 2 == 1) p.y += side * h.y;
+    if (face / 2 == 2) p.z += side * h.z;
+    shape.points.push_back({ShapeHandle::Face, static_cast<std::size_t>(face), p});
+  }
+  shape.points.push_back({ShapeHandle::Centre, 0, centre});
+}
+
+Vec3d velocityOf(Vec3d arrow, const ViewFrame& view, Vec3d at, bool snap) {
+  constexpr double kMost = 100.0;
+  Vec3d velocity = arrow * (1.0 / arrowScale(view, at));
+  for (double* part : {&velocity.x, &velocity.y, &velocity.z})
+    *part = std::clamp(snap ? std::round(*part) : *part, -kMost, kMost);
+  return velocity;
 }
 
 double arrowScale(const ViewFrame& view, Vec3d at) {
@@ -146,14 +164,12 @@ std::vector<Vec3d> draped(const SceneSnapshot& scene, const PlanPoints& way, boo
 const SceneNode* findShapeNode(const ViewportContext& context, const std::string& id) {
   if (!context.scene || id.empty()) return nullptr;
   for (const SceneNode& node : context.scene->nodes)
-    if (node.id == id && node.enabled &&
-        (node.as<AvalancheReleaseNode>() || node.as<WaterSourceNode>() || node.as<FlowSinkNode>()))
-      return &node;
+    if (node.id == id && node.enabled && mayHaveShape(node)) return &node;
   return nullptr;
 }
 
-FlowShape flowShape(const ViewportContext& context, const std::string& id) {
-  FlowShape shape;
+NodeShape nodeShape(const ViewportContext& context, const std::string& id) {
+  NodeShape shape;
   const SceneNode* node = findShapeNode(context, id);
   if (!node) return shape;
   const auto data = evaluate(*node, context.filmTime);
@@ -163,7 +179,8 @@ FlowShape flowShape(const ViewportContext& context, const std::string& id) {
     addSource(context, *source, shape);
   const auto* sink = dynamic_cast<const FlowSinkNode*>(data.get());
   if (sink && sink->shape == FlowSinkShape::Plane) addPlane(context, *sink, shape);
-  if (sink && sink->shape == FlowSinkShape::Box) addBox(*sink, shape);
+  if (sink && sink->shape == FlowSinkShape::Box) addBoxShape(sink->position, sink->size, shape);
+  addPlaceShape(context, *data, shape);
   return shape;
 }
 
@@ -171,8 +188,10 @@ std::string shapeNodeAt(const ViewportContext& context, Vec2d pixel) {
   std::string found;
   if (!context.scene) return found;
   double nearest = kClickPixels;
-  for (const SceneNode& node : context.scene->nodes)
-    for (const FlowShape::Line& line : flowShape(context, node.id).lines)
+  for (const SceneNode& node : context.scene->nodes) {
+    const NodeShape shape = nodeShape(context, node.id);
+    if (shape.quiet) continue;
+    for (const NodeShape::Line& line : shape.lines)
       for (std::size_t k = 0; k + (line.closed ? 0 : 1) < line.points.size(); ++k) {
         const auto a = context.view.project(line.points[k]);
         const auto b = context.view.project(line.points[(k + 1) % line.points.size()]);
@@ -181,6 +200,7 @@ std::string shapeNodeAt(const ViewportContext& context, Vec2d pixel) {
         nearest = distance;
         found = node.id;
       }
+  }
   return found;
 }
 
