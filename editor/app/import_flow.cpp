@@ -121,6 +121,7 @@ void ImportFlow::add(const Accepted& accepted) {
       edit::addAssetNode(*m_document, *accepted.type, accepted.file, accepted.details);
   if (!added) return showError(added.error());
   if (first) Q_EMIT firstTerrainAdded();
+  if (accepted.type == &kModelType) Q_EMIT modelAdded(*added);
   if (accepted.details.copyOnSave)
     Q_EMIT message(tr("\"%1\" will be copied beside the scene when it is saved.")
                        .arg(QFileInfo(accepted.file).fileName()));

@@ -43,6 +43,8 @@ class ImportFlow : public QObject {
   void message(const QString& text);
   /// The scene has got its first terrain: the view may go there.
   void firstTerrainAdded();
+  /// A model was added; its file may still have to be read.
+  void modelAdded(const std::string& node);
 
  private:
   struct Accepted {

@@ -10,7 +10,7 @@ namespace spin {
 namespace {
 
 const QStringList kTerrainEndings{QStringLiteral("asc"), QStringLiteral("tif"), QStringLiteral("tiff"),
-                                  QStringLiteral("png"), QStringLiteral("hgt")};
+                                  QStringLiteral("png"), QStringLiteral("xyz"), QStringLiteral("hgt")};
 const QStringList kModelEndings{QStringLiteral("gltf"), QStringLiteral("glb"), QStringLiteral("obj"),
                                 QStringLiteral("ply")};
 

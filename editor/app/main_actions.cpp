@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QSettings>
 
 #include "core/nodes/node_registry.h"
 #include "core/nodes/terrain_node.h"
@@ -153,6 +154,13 @@ void MainActions::addViewMenu() {
   reading->setToolTip(
       tr("A line at the lower left: depth, mass and temperature of the snow under the pointer, "
          "and the type of the ground."));
+  const QSettings settings;
+  const bool hints = settings.value("view/hints", true).toBool();
+  view.setShowHints(hints);
+  addToggle(menu, "viewHints", tr("&Hints of the tools"), hints, {}, [&view](bool on) {
+    view.setShowHints(on);
+    QSettings().setValue("view/hints", on);
+  });
   menu->addSeparator();
   for (QDockWidget* dock : m_window->findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
     menu->addAction(dock->toggleViewAction());

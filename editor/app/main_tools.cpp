@@ -64,7 +64,6 @@ void MainActions::addBrushTools(QToolBar* bar) {
   m_all.insert(m_all.end(), modes.begin(), modes.end());
   connect(findChild<QAction*>(QStringLiteral("toolBrush")), &QAction::toggled, brush, &BrushBar::setVisible);
   auto* scatter = new ScatterBar(bar, &m_window->document(), view, this);
-  m_all.insert(m_all.end(), scatter->modes().begin(), scatter->modes().end());
   connect(scatter, &ScatterBar::message, m_window, &MainWindow::showMessage);
   connect(findChild<QAction*>(QStringLiteral("toolScatter")), &QAction::toggled, scatter,
           &ScatterBar::setVisible);

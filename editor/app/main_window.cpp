@@ -12,12 +12,15 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QStatusBar>
+#include <cmath>
+#include <utility>
 
 #include "core/nodes/camera_node.h"
 #include "core/nodes/flow_nodes.h"
 #include "core/nodes/node_registry.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/weather_nodes.h"
+#include "core/scene/first_view.h"
 #include "editor/app/brush_bar.h"
 #include "editor/app/export_dialog.h"
 #include "editor/app/file_flow.h"
@@ -45,7 +48,7 @@
 namespace spin {
 namespace {
 
-constexpr int kLayoutVersion = 2;
+constexpr int kLayoutVersion = 3;
 constexpr int kMessageMilliseconds = 8000;
 
 /// Settings of the only node of a type; defaults without one.
@@ -91,7 +94,8 @@ MainWindow::MainWindow(std::shared_ptr<AssetReader> reader, QWidget* parent)
   connect(m_tools, &SceneTools::message, this, &MainWindow::showMessage);
   connect(m_layers, &LayerTools::message, this, &MainWindow::showMessage);
   connect(m_imports, &ImportFlow::message, this, &MainWindow::showMessage);
-  connect(m_imports, &ImportFlow::firstTerrainAdded, this, [this] { m_lookWanted = true; });
+  connect(m_imports, &ImportFlow::firstTerrainAdded, this, [this] { m_lookWanted = m_wholeWanted = true; });
+  connect(m_imports, &ImportFlow::modelAdded, this, [this](const std::string& node) { m_newModel = node; });
   m_imports->sight = [this] {
     const ViewSight seen = sightOf(*m_viewport);
     return ImportFlow::Sight{seen.place, seen.terrain};
@@ -146,9 +150,11 @@ void MainWindow::addDocks() {
   splitDockWidget(left, right, Qt::Vertical);
   splitDockWidget(right, issues, Qt::Vertical);
   tabifyDockWidget(issues, stageDock);
-  tabifyDockWidget(stageDock, flakeDock);
+  // The flake's picture needs height; its settings stand below it, so the properties may be behind.
+  tabifyDockWidget(right, flakeDock);
+  right->raise();
   issues->raise();
-  resizeDocks({left, right, issues}, {220, 480, 120}, Qt::Vertical);
+  resizeDocks({left, right, issues}, {240, 440, 140}, Qt::Vertical);
   resizeDocks({right}, {340}, Qt::Horizontal);
   resizeDocks({bottom}, {96}, Qt::Vertical);
 }
@@ -181,17 +187,33 @@ void MainWindow::joinViewport() {
 }
 
 void MainWindow::firstLook(const SnapshotPointer& snapshot) {
+  lookAtNewModel(snapshot);
   if (!m_lookWanted || !snapshot || sceneBounds(*snapshot, 0.0).empty()) return;
   m_lookWanted = false;
   const auto* node = snapshot->first<CameraNode>();
   const RenderCamera camera = cameraOf(*snapshot, m_time->filmTime());
   const CameraNode untouched;
   // A camera that was placed shows the scene best; the default one knows nothing of it.
+  const auto whole = std::exchange(m_wholeWanted, false) && snapshot->terrain
+                         ? wholeViewOf(snapshot->terrain->heights)
+                         : std::nullopt;
+  if (whole) return m_viewport->setCamera({whole->position, whole->target, camera.fovDegrees});
   const bool placed = node && !(camera.position == untouched.position && camera.target == untouched.target);
   if (placed)
     m_viewport->setCamera(camera);
   else
     m_viewport->frameAll();
+}
+
+/// A hut in a valley that is seen as a whole would be a dot that nobody finds.
+void MainWindow::lookAtNewModel(const SnapshotPointer& snapshot) {
+  constexpr double kFoundPixels = 40.0;
+  if (m_newModel.empty() || !snapshot) return;
+  const Box3d box = nodeBounds(*snapshot, m_newModel, m_time->filmTime());
+  if (box.empty()) return;
+  m_newModel.clear();
+  const double metres = m_viewport->context().view.metresPerPixel(box.centre());
+  if (metres > 0.0 && length(box.size()) < kFoundPixels * metres) m_viewport->frameSelection();
 }
 
 void MainWindow::updateFilm() {

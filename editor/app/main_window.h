@@ -73,6 +73,7 @@ class MainWindow : public QMainWindow {
   bool offerRecovery();
   RecoveryAnswer showRecoveryQuestion(const Recovery& found);
   void firstLook(const SnapshotPointer& snapshot);
+  void lookAtNewModel(const SnapshotPointer& snapshot);
   void restoreLayout();
   void saveLayout();
 
@@ -91,7 +92,9 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<PluginHost> m_plugins;
   LayerTools* m_layers;
   QByteArray m_defaultLayout;
-  bool m_lookWanted = true;  ///< the next scene with a place moves the view there
+  bool m_lookWanted = true;    ///< the next scene with a place moves the view there
+  bool m_wholeWanted = false;  ///< and shows all of it
+  std::string m_newModel;      ///< imported, not yet seen
 };
 
 }  // namespace spin

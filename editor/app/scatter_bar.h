@@ -25,8 +25,6 @@ class ScatterBar : public QObject {
   ScatterBar(QToolBar* bar, SceneDocument* document, Viewport* viewport, QObject* parent);
 
   void setVisible(bool on);
-  /// Actions that choose a mode, for the list of shortcuts.
-  const std::vector<QAction*>& modes() const { return m_modes; }
 
  Q_SIGNALS:
   /// Why something was not done.

@@ -71,7 +71,7 @@ void SceneTools::beginOutline(Vec2d corner) {
       edit::addNode(*m_document, kAvalancheReleaseType,
                     QCoreApplication::translate("Properties", kAvalancheReleaseType.label));
   if (added.ok())
-    report(edit::setValue(*m_document, *added, "outline_m", PlanPoints{corner}));
+    report(edit::setValue(*m_document, *added, "outline_m", PlanPoints{toCentimetres(corner)}));
   else
     Q_EMIT message(QString::fromStdString(added.error().text()));
   m_document->undoStack()->endMacro();

@@ -16,11 +16,54 @@ namespace {
 
 constexpr int kSliderSteps = 1000;
 
+/// More than this from the least to the largest value: equal ways on the slider are equal ratios.
+constexpr double kLinearRatio = 250.0;
+constexpr double kMostRatio = 1e8;
+
+/// What a slider by ratios begins with; a range from 0 on has 0 before it.
+double leastOfSlider(const PropertyInfo& property) {
+  return property.min > 0.0 ? property.min : property.step;
+}
+
+/// Two figures, as somebody would write them.
+double tidied(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::round(value / unit) * unit;
+}
+
 }  // namespace
 
+bool slidesByRatio(const PropertyInfo& property) {
+  if (property.kind != PropertyKind::Real || property.min < 0.0 || property.step <= 0.0) return false;
+  const double ratio = property.max / leastOfSlider(property);
+  return property.unit != Unit::Degree && ratio > kLinearRatio && ratio <= kMostRatio;
+}
+
 bool wantsSlider(const PropertyInfo& property) {
+  if (slidesByRatio(property)) return true;
   const bool number = property.kind == PropertyKind::Int || property.kind == PropertyKind::Real;
   return number && property.step > 0.0 && (property.max - property.min) / property.step <= kSliderSteps;
+}
+
+int slot(const PropertyInfo& property, double si) {
+  if (!slidesByRatio(property)) return static_cast<int>(std::lround((si - property.min) / property.step));
+  const double least = leastOfSlider(property);
+  if (si < least) return 0;
+  const int first = property.min > 0.0 ? 0 : 1;
+  const double share = std::log(si / least) / std::log(property.max / least);
+  return first + static_cast<int>(std::lround(share * (kSliderSteps - first)));
+}
+
+double valueAtSlot(const PropertyInfo& property, int place) {
+  if (!slidesByRatio(property)) return std::min(property.max, property.min + place * property.step);
+  const int first = property.min > 0.0 ? 0 : 1;
+  if (place < first) return property.min;
+  const double least = leastOfSlider(property);
+  const double share = static_cast<double>(place - first) / (kSliderSteps - first);
+  // Tidy in the unit that is shown.
+  const double scale = unitInfo(property.unit).scale;
+  const double value = tidied(least * std::pow(property.max / least, share) * scale) / scale;
+  return std::clamp(value, property.min, property.max);
 }
 
 NumberEditor::NumberEditor(const PropertyInfo& property, QWidget* parent)
@@ -30,7 +73,7 @@ NumberEditor::NumberEditor(const PropertyInfo& property, QWidget* parent)
   if (wantsSlider(property)) {
     m_slider = new QSlider(Qt::Horizontal, this);
     m_slider->setObjectName(QStringLiteral("slider"));
-    m_slider->setRange(0, static_cast<int>(std::lround((property.max - property.min) / property.step)));
+    m_slider->setRange(0, slot(property, property.max));
     m_slider->setFocusPolicy(Qt::StrongFocus);
     layout->addWidget(m_slider, 1);
     connect(m_slider, &QSlider::valueChanged, this, &NumberEditor::slide);
@@ -54,11 +97,11 @@ void NumberEditor::show(const Value& value) {
 void NumberEditor::showOnSlider(double si) {
   if (!m_slider || m_slider->isSliderDown()) return;
   const QSignalBlocker quiet(m_slider);
-  m_slider->setValue(static_cast<int>(std::lround((si - m_property.min) / m_property.step)));
+  m_slider->setValue(slot(m_property, si));
 }
 
 void NumberEditor::slide(int position) {
-  const double si = std::min(m_property.max, m_property.min + position * m_property.step);
+  const double si = valueAtSlot(m_property, position);
   m_spin->showSi(si);
   Q_EMIT edited(valueOf(si), true);
 }

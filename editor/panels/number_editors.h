@@ -40,7 +40,12 @@ class VectorEditor : public ValueEditor {
   std::array<UnitSpinBox*, 3> m_spins{};
 };
 
-/// True where a slider makes sense: at most 1000 steps from end to end.
+/// True where a slider makes sense: at most 1000 steps from end to end, or a range of several decades.
 bool wantsSlider(const PropertyInfo& property);
+/// True where equal ways on the slider are equal ratios: real numbers from 0 or more over several decades.
+bool slidesByRatio(const PropertyInfo& property);
+/// Places of a slider and values in SI.
+int slot(const PropertyInfo& property, double si);
+double valueAtSlot(const PropertyInfo& property, int place);
 
 }  // namespace spin

@@ -9,6 +9,7 @@
 #include <QScrollArea>
 #include <QStyle>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/nodes/terrain_node.h"
 #include "editor/document/scene_document.h"
@@ -75,9 +76,11 @@ void PropertyPanel::showNode(const std::string& id) {
   // An edit may come from one of the rows that go now (undo by a shortcut in a spin box).
   if (QWidget* old = m_scroll->takeWidget()) old->deleteLater();
   m_scroll->setWidget(page);
-  // Rows are read across, so the panel never gets narrower than they are.
-  m_scroll->setMinimumWidth(page->minimumSizeHint().width() +
-                            style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+  // Rows are read across, so the panel never gets narrower than they are; and it does not change its width,
+  // and with it the view's, when another node is selected.
+  const int wanted = page->minimumSizeHint().width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  m_scroll->setMinimumWidth(
+      std::max({m_scroll->minimumWidth(), wanted, fontMetrics().averageCharWidth() * 60}));
   showTitle();
 }
 

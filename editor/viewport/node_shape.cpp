@@ -127,6 +127,10 @@ void addBoxShape(Vec3d centre, Vec3d size, NodeShape& shape) {
   shape.points.push_back({ShapeHandle::Centre, 0, centre});
 }
 
+Vec2d toCentimetres(Vec2d place) {
+  return {std::round(100.0 * place.x) / 100.0, std::round(100.0 * place.y) / 100.0};
+}
+
 Vec3d velocityOf(Vec3d arrow, const ViewFrame& view, Vec3d at, bool snap) {
   constexpr double kMost = 100.0;
   Vec3d velocity = arrow * (1.0 / arrowScale(view, at));

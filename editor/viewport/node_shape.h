@@ -55,6 +55,8 @@ const SceneNode* findShapeNode(const ViewportContext& context, const std::string
 /// Id of the node whose lines pass the pointer, of those that are always shown; empty where none does.
 std::string shapeNodeAt(const ViewportContext& context, Vec2d pixel);
 
+/// Places that are set by hand have no more digits than anybody reads or a scene file needs.
+Vec2d toCentimetres(Vec2d place);
 /// Lines and handles of a box.
 void addBoxShape(Vec3d centre, Vec3d size, NodeShape& shape);
 /// The velocity that an arrow from `at` stands for, within +-100 m/s.

@@ -260,4 +260,28 @@ void paintBadge(QPainter& painter, const QString& text) {
   painter.drawText(bounds, Qt::AlignLeft, text);
 }
 
+void paintFootnote(QPainter& painter, const QRectF& area, const QString& text) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QFontMetricsF metrics(painter.font());
+  const double width = std::min(metrics.horizontalAdvance(text) + 20.0, area.width() - 8.0);
+  const QRectF box(area.center().x() - 0.5 * width, area.bottom() - metrics.height() - 16.0, width,
+                   metrics.height() + 8.0);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(20, 22, 26, 150));
+  painter.drawRoundedRect(box, 5, 5);
+  painter.setPen(QColor(215, 220, 226));
+  painter.drawText(box.adjusted(8, 0, -8, 0), Qt::AlignCenter,
+                   metrics.elidedText(text, Qt::ElideRight, width - 16.0));
+}
+
+void paintFrame(QPainter& painter, const QRectF& area, const QRectF& frame) {
+  QPainterPath beside;
+  beside.addRect(area);
+  beside.addRect(frame);
+  painter.fillPath(beside, QColor(14, 16, 20, 170));
+  painter.setPen(QPen(QColor(235, 238, 242, 150), 1.0));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(frame.adjusted(0.5, 0.5, -0.5, -0.5));
+}
+
 }  // namespace spin

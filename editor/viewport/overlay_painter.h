@@ -39,4 +39,9 @@ QRectF paintLegend(QPainter& painter, const QRectF& area, const ValueLegend& leg
 /// A small label in a corner: top left.
 void paintBadge(QPainter& painter, const QString& text);
 
+/// A line of words in the middle of the lower edge.
+void paintFootnote(QPainter& painter, const QRectF& area, const QString& text);
+/// Dims what lies beside a picture's frame.
+void paintFrame(QPainter& painter, const QRectF& area, const QRectF& frame);
+
 }  // namespace spin

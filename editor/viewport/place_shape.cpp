@@ -32,8 +32,10 @@ double pixels(const ViewportContext& c, Vec3d at) {
   return std::max(c.view.metresPerPixel(at), 1e-6);
 }
 
-double snapped(double v, double step, bool snap) {
-  return snap ? std::round(v / step) * step : v;
+/// To whole steps, or to the finer ones that are still read with pleasure.
+double snapped(double v, double step, bool snap, double fine = 0.01) {
+  const double to = snap ? step : fine;
+  return std::round(v / to) * to;
 }
 
 Vec3d snapped(Vec3d v, bool snap) {
@@ -147,7 +149,7 @@ ShapeValues heatValues(const HeatSourceNode& heat, const ShapePoint& point, Vec3
     return {{"position_m", heat.position + Vec3d{by.x, by.y, 0.0}}};
   }
   const Vec3d rim = point.place + offset - heat.position;
-  return {{"radius_m", std::clamp(snapped(std::hypot(rim.x, rim.y), 1.0, snap), 0.1, 10000.0)}};
+  return {{"radius_m", std::clamp(snapped(std::hypot(rim.x, rim.y), 1.0, snap, 0.1), 0.1, 10000.0)}};
 }
 
 ShapeValues weatherValues(const ViewportContext& c, const WeatherNode& weather, const ShapePoint& point,
@@ -159,16 +161,16 @@ ShapeValues weatherValues(const ViewportContext& c, const WeatherNode& weather, 
     const double azimuth =
         std::hypot(to.x, to.y) > 1e-6 ? radiansToDegrees(std::atan2(to.x, to.y)) : weather.sunAzimuthDegrees;
     const double elevation = radiansToDegrees(std::asin(std::clamp(to.z, -1.0, 1.0)));
-    return {{"sun_azimuth_deg", nearTo(snapped(azimuth, kSnapDegrees, snap), weather.sunAzimuthDegrees)},
-            {"sun_elevation_deg", std::clamp(snapped(elevation, kSnapDegrees, snap), -20.0, 90.0)}};
+    return {{"sun_azimuth_deg", nearTo(snapped(azimuth, kSnapDegrees, snap, 0.5), weather.sunAzimuthDegrees)},
+            {"sun_elevation_deg", std::clamp(snapped(elevation, kSnapDegrees, snap, 0.5), -20.0, 90.0)}};
   }
   const double reach = std::hypot(arm.x, arm.y);
   if (reach < 1e-9) return {};
   const double speed = (reach / pixels(c, centre) - kWindPixels) / kWindPixelsPerSpeed;
   // The arrow points with the wind, the property against it.
   const double from = radiansToDegrees(std::atan2(-arm.x, -arm.y));
-  return {{"wind_speed_m_s", std::clamp(snapped(speed, 1.0, snap), 0.0, 80.0)},
-          {"wind_from_deg", nearTo(snapped(from, kSnapDegrees, snap), weather.windFromDegrees)}};
+  return {{"wind_speed_m_s", std::clamp(snapped(speed, 1.0, snap, 0.1), 0.0, 80.0)},
+          {"wind_from_deg", nearTo(snapped(from, kSnapDegrees, snap, 0.5), weather.windFromDegrees)}};
 }
 
 ShapeValues domainValues(const FlowSettingsNode& flow, const ShapePoint& point, Vec3d offset, bool snap) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
+#include "editor/viewport/node_shape.h"
 
 namespace spin {
 namespace {
@@ -122,7 +123,7 @@ bool ScatterStroke::fill(const Square& square, Vec2d from, Vec2d to) {
 bool ScatterStroke::place(Vec2d p) {
   if (full() || m_near.anyNearer(p, m_task.distance)) return false;
   if (m_task.isGround && !m_task.isGround(p)) return false;
-  m_copies.push_back(p);
+  m_copies.push_back(toCentimetres(p));
   m_squares.add(p);
   m_near.add(p);
   return true;

@@ -81,7 +81,7 @@ std::optional<Vec3d> placeUnder(const ViewportContext& c, const NodeData& data, 
 ShapeGizmo::Values outlineValues(PlanPoints outline, const ShapePoint& point, Vec3d offset, bool snap) {
   const Vec2d by{rounded(offset.x, snap), rounded(offset.y, snap)};
   for (std::size_t k = 0; k < outline.size(); ++k)
-    if (point.handle == ShapeHandle::Centre || k == point.index) outline[k] = outline[k] + by;
+    if (point.handle == ShapeHandle::Centre || k == point.index) outline[k] = toCentimetres(outline[k] + by);
   return {{"outline_m", std::move(outline)}};
 }
 
@@ -186,7 +186,7 @@ bool ShapeGizmo::beginOutline(const ViewportContext& context, Vec2d pixel) {
       nearest = distance;
       at = k + 1;
     }
-  outline.insert(outline.begin() + static_cast<std::ptrdiff_t>(at), Vec2d{hit->x, hit->y});
+  outline.insert(outline.begin() + static_cast<std::ptrdiff_t>(at), toCentimetres({hit->x, hit->y}));
   grab(context, {ShapeHandle::Corner, at, *hit}, std::move(outline), pixel);
   return true;
 }

@@ -38,6 +38,25 @@ void paintTip(QPainter& painter, QPointF from, QPointF to) {
   painter.drawPolygon(QPolygonF({to + u * 9.0, to + v * 5.0, to - v * 5.0}));
 }
 
+struct Piece {
+  QLineF line;
+  bool behind = false;  ///< the ground
+  bool last = false;    ///< of its line
+};
+
+/// What of a line lies before the eye.
+std::vector<Piece> piecesOf(const ViewportContext& context, const NodeShape::Line& line) {
+  std::vector<Piece> pieces;
+  const std::size_t count = line.points.size() - (line.closed ? 0 : 1);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vec3d from = line.points[k], to = line.points[(k + 1) % line.points.size()];
+    const auto a = context.view.project(from), b = context.view.project(to);
+    if (!a || !b) continue;
+    pieces.push_back({QLineF(a->x, a->y, b->x, b->y), hidden(context, (from + to) * 0.5), k + 1 == count});
+  }
+  return pieces;
+}
+
 QString inWords(const char* text) {
   return QCoreApplication::translate("Viewport", text);
 }
@@ -62,30 +81,28 @@ void paintShapeLines(QPainter& painter, const ViewportContext& context, const No
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor colour = selected ? QColor(255, 196, 92) : QColor(120, 190, 235);
   for (const NodeShape::Line& line : shape.lines) {
-    const std::size_t pieces = line.points.size() - (line.closed ? 0 : 1);
-    for (std::size_t k = 0; k < pieces; ++k) {
-      const Vec3d from = line.points[k], to = line.points[(k + 1) % line.points.size()];
-      const auto a = context.view.project(from), b = context.view.project(to);
-      if (!a || !b) continue;
-      const bool behind = hidden(context, (from + to) * 0.5);
-      const QPointF p(a->x, a->y), q(b->x, b->y);
+    const std::vector<Piece> pieces = piecesOf(context, line);
+    // Dark rims of all pieces first, so that they do not cut the line into beads.
+    painter.setPen(QPen(QColor(0, 0, 0, 120), selected ? 4.0 : 3.0, Qt::SolidLine, Qt::RoundCap));
+    for (const Piece& piece : pieces)
+      if (!piece.behind) painter.drawLine(piece.line);
+    for (const Piece& piece : pieces) {
       QColor drawn = colour;
-      if (behind) drawn.setAlpha(kHiddenAlpha);
-      if (!behind) {
-        painter.setPen(QPen(QColor(0, 0, 0, 120), selected ? 4.0 : 3.0, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(p, q);
-      }
+      if (piece.behind) drawn.setAlpha(kHiddenAlpha);
       painter.setPen(QPen(drawn, selected ? 2.2 : 1.4, Qt::SolidLine, Qt::RoundCap));
-      painter.drawLine(p, q);
+      painter.drawLine(piece.line);
       painter.setBrush(drawn);
-      if (line.arrow && k + 1 == pieces) paintTip(painter, p, q);
+      if (line.arrow && piece.last) paintTip(painter, piece.line.p1(), piece.line.p2());
       painter.setBrush(Qt::NoBrush);
     }
   }
   if (const auto at = shape.north ? context.view.project(*shape.north) : std::nullopt) {
+    const QString letter = inWords(QT_TRANSLATE_NOOP("Viewport", "N"));
+    const QRectF box(at->x - 14, at->y - 14, 28, 28);
+    painter.setPen(QColor(20, 22, 26));
+    painter.drawText(box.translated(1, 1), Qt::AlignCenter, letter);
     painter.setPen(colour);
-    painter.drawText(QRectF(at->x - 12, at->y - 12, 24, 24), Qt::AlignCenter,
-                     inWords(QT_TRANSLATE_NOOP("Viewport", "N")));
+    painter.drawText(box, Qt::AlignCenter, letter);
   }
 }
 

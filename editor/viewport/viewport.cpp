@@ -5,7 +5,9 @@
 #include <QPainter>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
+#include "core/base/units.h"
 #include "core/fields/terrain_surface.h"
 #include "core/nodes/flow_nodes.h"
 #include "editor/render/cover_values.h"
@@ -203,7 +205,15 @@ void Viewport::setEmptyHint(const QString& title, const QString& text) {
 }
 
 RenderCamera Viewport::camera() const {
-  if (m_lookThrough && m_scene) return cameraOf(*m_scene, m_filmTime);
+  if (m_lookThrough && m_scene) {
+    RenderCamera camera = cameraOf(*m_scene, m_filmTime);
+    // A view that is narrower than the picture shows its whole width, and more above and below.
+    const double wider = pictureAspect() * m_surface->height() / std::max(1, m_surface->width());
+    if (wider > 1.0)
+      camera.fovDegrees =
+          radiansToDegrees(2.0 * std::atan(wider * std::tan(0.5 * degreesToRadians(camera.fovDegrees))));
+    return camera;
+  }
   return m_navigator.camera().camera();
 }
 
@@ -261,7 +271,7 @@ ViewportContext Viewport::context() const {
 
 void Viewport::leaveLookThrough() {
   if (!m_lookThrough) return;
-  m_navigator.setCamera(OrbitCamera::from(camera()));
+  if (m_scene) m_navigator.setCamera(OrbitCamera::from(cameraOf(*m_scene, m_filmTime)));
   setLookThrough(false);
 }
 
@@ -281,9 +291,7 @@ void Viewport::updateOverlay() {
 
 void Viewport::paintOverlay(QPainter& painter) const {
   const ViewportContext seen = context();
-  const bool empty = !m_scene || showsNothing(*m_scene);
-  if (empty && !m_hintTitle.isEmpty()) paintHint(painter, QRectF(m_surface->rect()), m_hintTitle, m_hintText);
-  if (m_lookThrough) paintBadge(painter, tr("Camera view"));
+  paintWords(painter);
   QRectF room(m_surface->rect());
   if (m_legend) room.setRight(paintLegend(painter, room, *m_legend).left());
   const bool values = m_coverLegend && m_options.showSnow && m_options.ground == GroundDisplay::Natural;

@@ -84,6 +84,12 @@ class Viewport : public QWidget {
   /// Message shown while the scene is empty.
   void setEmptyHint(const QString& title, const QString& text);
 
+  /// What the tool in the hand does, in a line at the lower edge; until setShowHints(false).
+  QString toolHint() const;
+  void setShowHints(bool on);
+  /// Where the picture that is made by the scene's camera lies in the view, while looking through it.
+  QRectF pictureFrame() const;
+
   /// The camera of the view, by which the scene is drawn now.
   RenderCamera camera() const;
   void setCamera(const RenderCamera& camera);
@@ -181,6 +187,8 @@ class Viewport : public QWidget {
   void refresh();
   void updateOverlay();
   void paintOverlay(QPainter& painter) const;
+  void paintWords(QPainter& painter) const;
+  double pictureAspect() const;
   void flyStep();
   void flyTo(const Box3d& box);
   double now() const;
@@ -215,6 +223,7 @@ class Viewport : public QWidget {
   QPointF m_pressed;
   bool m_clicking = false;
   QString m_hintTitle, m_hintText;
+  bool m_showHints = true;
   PictureView* m_surface = nullptr;
   QTimer m_flight;
   QElapsedTimer m_clock;

@@ -19,6 +19,7 @@ const char* driverFor(const std::string& extension) {
   if (extension == "asc") return "AAIGrid";
   if (extension == "png") return "PNG";
   if (extension == "xyz") return "XYZ";
+  if (extension == "hgt") return "SRTMHGT";
   return "GTiff";
 }
 

@@ -15,7 +15,7 @@ class TerrainGdalPlugin final : public QObject, public TerrainImporter {
   Q_INTERFACES(spin::TerrainImporter)
 
  public:
-  std::vector<std::string> extensions() const override { return {"asc", "tif", "tiff", "png", "xyz"}; }
+  std::vector<std::string> extensions() const override { return {"asc", "tif", "tiff", "png", "xyz", "hgt"}; }
   Result<TerrainImport> read(const std::string& path, const ImportOptions& options) override;
   Result<PaintedLayer> readLayer(const std::string& path) override;
   Result<RasterImport> readRaster(const std::string& path) override;

@@ -14,6 +14,8 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "core/nodes/camera_node.h"
+#include "core/nodes/cover_nodes.h"
 #include "core/nodes/flow_nodes.h"
 #include "editor/app/flow_defaults.h"
 #include "editor/app/main_actions.h"
@@ -93,6 +95,12 @@ class FlowWindowTest : public QObject {
     QVERIFY(velocity.y < -1.9 && std::abs(velocity.x) < 0.2);
     const auto sink = placedDefaults(kFlowSinkType, sight, {});
     QVERIFY(std::get<Vec3d>(sink[0].second) == Vec3d(128, 60, 20));
+    const auto heat = placedDefaults(kHeatSourceType, sight, {});
+    QCOMPARE(heat.at(0).first, std::string("position_m"));
+    QVERIFY(std::abs(std::get<Vec3d>(heat[0].second).x - sight.place->x) < 1e-9);
+    QVERIFY(std::get<double>(heat.at(1).second) >= 1.0);
+    const auto camera = placedDefaults(kCameraType, sight, {});
+    QCOMPARE(std::get<Vec3d>(camera.at(0).second), sight.eye);
     QVERIFY(placedDefaults(kWeatherType, sight, {}).empty());
     sight.place.reset();
     QVERIFY(placedDefaults(kAvalancheReleaseType, sight, {}).empty());

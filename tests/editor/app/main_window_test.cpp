@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -16,6 +17,7 @@
 #include "editor/app/main_actions.h"
 #include "editor/app/scene_tools.h"
 #include "editor/document/autosave.h"
+#include "editor/panels/outliner_panel.h"
 #include "editor/timeline/timeline_panel.h"
 #include "editor/viewport/picture_view.h"
 #include "tests/editor/support/strict.h"
@@ -373,6 +375,28 @@ class MainWindowTest : public QObject {
     QVERIFY(length(camera->position - Vec3d{10, -70, 33}) < 1e-9);
     QVERIFY(length(camera->target - Vec3d{1, 2, 3}) < 1e-9);
     QCOMPARE(camera->fovDegrees, 40.0);
+  }
+
+  /// The list of nodes adds as the menu does: placed where the view looks, not at the origin; painted layers
+  /// have what is done to them in their menu.
+  void theOutlinerPlacesAndOffersLayerWork() {
+    Fixture f;
+    auto* outliner = f.window.findChild<OutlinerPanel*>(QStringLiteral("outliner"));
+    QVERIFY(outliner);
+    f.window.viewport().setCamera({{11, 12, 13}, {14, 15, 3}, 50});
+    const std::string camera = f.window.document().scene().firstOf(kCameraType)->id;
+    QVERIFY(edit::removeNode(f.window.document(), camera).ok());
+    QMenu add;
+    outliner->fillAddMenu(&add);
+    add.findChild<QAction*>(QStringLiteral("add_camera"))->trigger();
+    const auto* placed = &test::dataOf<CameraNode>(f.window.document().scene().firstOf(kCameraType));
+    QVERIFY(length(placed->position - Vec3d{11, 12, 13}) < 1e-6);
+    add.findChild<QAction*>(QStringLiteral("add_keep_clear"))->trigger();
+    QMenu layer, other;
+    outliner->fillNodeMenu(&layer, f.window.document().selected());
+    QVERIFY(layer.findChild<QAction*>(QStringLiteral("layerFill")));
+    outliner->fillNodeMenu(&other, "weather");
+    QVERIFY(!other.findChild<QAction*>(QStringLiteral("layerFill")));
   }
 
   /// No two actions share a shortcut.

@@ -28,6 +28,7 @@ class OutlinerPanelTest : public QObject {
   void selectionGoesBothWays();
   void aClickDoesNotRename();
   void nodesAreAddedAndRemoved();
+  void theWindowAddsNodesAndExtendsTheMenu();
   void noIssuesAreSaid();
   void issuesLeadToTheirNode();
 };
@@ -80,6 +81,31 @@ void OutlinerPanelTest::nodesAreAddedAndRemoved() {
   QTest::keyClick(panel.view(), Qt::Key_Delete);
   QVERIFY(!document.node("model_2"));
   QVERIFY(document.node("model"));
+}
+
+/// Who owns the panel places new nodes and says what else can be done with one.
+void OutlinerPanelTest::theWindowAddsNodesAndExtendsTheMenu() {
+  SceneDocument document(m_reader);
+  OutlinerPanel panel(&document);
+  std::string wanted;
+  panel.addNode = [&](const NodeType& type) { wanted = type.id; };
+  QMenu add;
+  panel.fillAddMenu(&add);
+  add.findChild<QAction*>(QStringLiteral("add_model"))->trigger();
+  QCOMPARE(wanted, std::string("model"));
+  QVERIFY(!document.node("model"));
+  QString extended;
+  panel.extendMenu = [&](QMenu* menu, const SceneNode& node) {
+    extended = QString::fromStdString(node.id);
+    menu->addAction(QStringLiteral("More"));
+  };
+  QMenu menu;
+  panel.fillNodeMenu(&menu, "camera");
+  QCOMPARE(extended, QStringLiteral("camera"));
+  QVERIFY(menu.actions().size() >= 4);
+  QMenu none;
+  panel.fillNodeMenu(&none, {});
+  QVERIFY(none.isEmpty());
 }
 
 void OutlinerPanelTest::noIssuesAreSaid() {

@@ -9,12 +9,16 @@
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
+#include <cmath>
 
+#include "core/nodes/cover_nodes.h"
 #include "core/nodes/node_registry.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
 #include "core/nodes/weather_nodes.h"
+#include "editor/commands/edits.h"
 #include "editor/document/time_context.h"
+#include "editor/panels/number_editors.h"
 #include "editor/panels/property_row_editor.h"
 #include "editor/panels/unit_spin_box.h"
 #include "tests/support/fake_asset_reader.h"
@@ -68,6 +72,7 @@ class PropertyPanelTest : public QObject {
   void untouchedValuesKeepTheirDigits();
   void aDecimalCommaIsTaken();
   void aSliderDragIsOneStep();
+  void slidersOverDecadesGoByRatio();
   void keyButtonSetsAndRemovesKeys();
   void revertButtonFollowsTheValue();
   void otherKindsAreEdited();
@@ -145,6 +150,37 @@ void PropertyPanelTest::aSliderDragIsOneStep() {
   m_document->undoStack()->undo();
   QCOMPARE(weather("cloud_cover"), 0.4);
   QCOMPARE(slider->value(), 8);
+}
+
+/// Ranges over decades: the middle is the geometric one, both ends are reached, and all places lead back.
+void PropertyPanelTest::slidersOverDecadesGoByRatio() {
+  int found = 0;
+  for (const NodeType* type : nodeTypes())
+    for (const PropertyRow& row : type->properties) {
+      if (!slidesByRatio(row)) continue;
+      ++found;
+      const int most = slot(row, row.max);
+      QCOMPARE(slot(row, row.min), 0);
+      QCOMPARE(valueAtSlot(row, 0), row.min);
+      QVERIFY2(std::abs(valueAtSlot(row, most) - row.max) < 0.05 * row.max, row.id);
+      double last = row.min;
+      for (int place = 1; place <= most; ++place) {
+        const double value = valueAtSlot(row, place);
+        QVERIFY2(value >= last && value <= row.max, row.id);
+        last = value;
+      }
+      QVERIFY2(valueAtSlot(row, most / 2) < 0.2 * row.max, row.id);
+    }
+  QVERIFY(found > 10);
+  const PropertyInfo* wind = kWeatherType.find("wind_speed_m_s");
+  QVERIFY2(wind && !slidesByRatio(*wind), "a range that is read off as it is");
+  m_document->select({});
+  QVERIFY(edit::addNode(*m_document, kHeatSourceType, QStringLiteral("Heat"), "heat").ok());
+  auto* slider = part<QSlider>("radius_m", "slider");
+  QVERIFY(slider);
+  slider->setValue(slider->maximum() / 2);
+  const double radius = std::get<double>(value("heat", "radius_m"));
+  QVERIFY(radius > 20.0 && radius < 50.0);
 }
 
 void PropertyPanelTest::keyButtonSetsAndRemovesKeys() {

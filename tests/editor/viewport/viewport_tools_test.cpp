@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <QSet>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
@@ -264,6 +265,69 @@ class ViewportToolsTest : public QObject {
   }
 
   /// Framing flies to the selected model and ends close to it.
+  /// Every tool says what it does, and what is missing.
+  void toolsSayWhatTheyDo() {
+    Fixture f;
+    QSet<QString> hints;
+    for (const auto tool : {Viewport::Tool::Select, Viewport::Tool::Move, Viewport::Tool::Brush,
+                            Viewport::Tool::Outline, Viewport::Tool::Scatter}) {
+      f.viewport.setTool(tool);
+      QVERIFY(!f.viewport.toolHint().isEmpty());
+      hints << f.viewport.toolHint();
+    }
+    QCOMPARE(hints.size(), 5);
+    f.viewport.setTool(Viewport::Tool::Move);
+    const QString without = f.viewport.toolHint();
+    f.viewport.setSelected("cube");
+    QVERIFY(f.viewport.toolHint() != without);
+    f.viewport.setTool(Viewport::Tool::Brush);
+    const QString painting = f.viewport.toolHint();
+    f.viewport.setScene(std::make_shared<SceneSnapshot>());
+    QVERIFY(f.viewport.toolHint() != painting);
+  }
+
+  /// Looking through the camera shows the whole width of the picture, in any shape of the view.
+  void thePicturesFrameLiesInTheView() {
+    Fixture f;
+    auto scene = std::make_shared<SceneSnapshot>(*f.viewport.context().scene);
+    SceneNode camera = makeNode(kCameraType, "camera", "Camera");
+    CameraNode placed;
+    placed.position = {10, 10, 60};
+    placed.target = {128, 128, 20};
+    placed.fovDegrees = 40.0;
+    camera.data = std::make_shared<CameraNode>(placed);
+    SceneNode picture = makeNode(kRenderType, "render", "Pictures");
+    RenderNode wide;
+    wide.width = 2000;
+    wide.height = 1000;
+    picture.data = std::make_shared<RenderNode>(wide);
+    scene->nodes.push_back(camera);
+    scene->nodes.push_back(picture);
+    f.viewport.setScene(scene);
+    f.viewport.setLookThrough(true);
+    for (const QSize size : {QSize(900, 700), QSize(1200, 300)}) {
+      f.viewport.resize(size);
+      QTRY_COMPARE(f.viewport.surface()->size(), size);
+      const QRectF frame = f.viewport.pictureFrame();
+      QVERIFY(std::abs(frame.width() - 2.0 * frame.height()) < 1e-6);
+      QVERIFY(QRectF(f.viewport.surface()->rect()).contains(frame));
+      // What the picture has at its upper edge stands at the frame's.
+      const ViewFrame made({placed.position, placed.target, 40.0}, 2000, 1000);
+      const ViewRay edge = made.ray({500, 0});
+      const auto seen = f.viewport.context().view.project(edge.at(100.0));
+      QVERIFY(seen);
+      QVERIFY(std::abs(seen->y - frame.top()) < 0.5);
+      QVERIFY(std::abs(seen->x - (frame.left() + 0.25 * frame.width())) < 0.5);
+    }
+    // Leaving it takes over the camera's own angle.
+    f.viewport.resize(300, 700);
+    QTRY_COMPARE(f.viewport.surface()->width(), 300);
+    QVERIFY(f.viewport.camera().fovDegrees > 90.0);
+    f.viewport.frameAll();
+    QVERIFY(!f.viewport.lookThrough());
+    QCOMPARE(f.viewport.camera().fovDegrees, 40.0);
+  }
+
   void frameFlies() {
     Fixture f;
     f.viewport.setSelected("cube");
