@@ -33,6 +33,17 @@ double sizeFor(double distance, double share, double least, double most) {
   return std::max(std::round(size / step) * step, least);
 }
 
+/// As somebody would write it: to centimetres.
+double tidy(double v) {
+  return std::round(100.0 * v) / 100.0;
+}
+Vec2d tidy(Vec2d v) {
+  return {tidy(v.x), tidy(v.y)};
+}
+Vec3d tidy(Vec3d v) {
+  return {tidy(v.x), tidy(v.y), tidy(v.z)};
+}
+
 }  // namespace
 
 ViewSight sightOf(const Viewport& viewport) {
@@ -55,23 +66,23 @@ edit::PropertyValues placedDefaults(const NodeType& type, const ViewSight& sight
   if (&type == &kRigidBodyType)
     return selected.empty() ? edit::PropertyValues{} : edit::PropertyValues{{"model", selected}};
   if (&type == &kCameraType)
-    return {{"position_m", sight.eye}, {"target_m", sight.target}, {"fov_deg", sight.fovDegrees}};
+    return {{"position_m", tidy(sight.eye)}, {"target_m", tidy(sight.target)}, {"fov_deg", sight.fovDegrees}};
   if (!sight.place) return {};
-  const Vec3d at = *sight.place;
+  const Vec3d at = tidy(*sight.place);
   if (&type == &kAvalancheReleaseType) {
     const double half = 0.5 * sizeFor(sight.distance, 0.25, 4.0, 200.0);
     const Vec2d d = downhill(sight, at, half), across{-d.y, d.x};
     const auto corner = [&](double a, double b) {
-      return Vec2d{at.x + half * (a * across.x + b * d.x), at.y + half * (a * across.y + b * d.y)};
+      return tidy(Vec2d{at.x + half * (a * across.x + b * d.x), at.y + half * (a * across.y + b * d.y)});
     };
     return {{"outline_m", PlanPoints{corner(-1.3, -1), corner(1.3, -1), corner(1.3, 1), corner(-1.3, 1)}}};
   }
   if (&type == &kWaterSourceType) {
     const double half = 0.5 * sizeFor(sight.distance, 0.08, 1.0, 20.0);
     const Vec2d d = downhill(sight, at, half), across{-d.y, d.x};
-    return {{"position_m", Vec3d{at.x - half * across.x, at.y - half * across.y, 0.0}},
-            {"end_m", Vec3d{at.x + half * across.x, at.y + half * across.y, 0.0}},
-            {"velocity_m_s", Vec3d{2.0 * d.x, 2.0 * d.y, 0.0}}};
+    return {{"position_m", tidy(Vec3d{at.x - half * across.x, at.y - half * across.y, 0.0})},
+            {"end_m", tidy(Vec3d{at.x + half * across.x, at.y + half * across.y, 0.0})},
+            {"velocity_m_s", tidy(Vec3d{2.0 * d.x, 2.0 * d.y, 0.0})}};
   }
   if (&type == &kHeatSourceType)
     return {{"position_m", Vec3d{at.x, at.y, 0.0}}, {"radius_m", sizeFor(sight.distance, 0.05, 1.0, 200.0)}};

@@ -64,12 +64,14 @@ void OutlinerPanel::retranslate() {
 /// A type of which a scene has one at most is offered only while there is none.
 void OutlinerPanel::fillAddMenu(QMenu* menu) {
   menu->clear();
+  menu->setToolTipsVisible(true);
   for (const NodeType* type : nodeTypes()) {
     QAction* action =
         menu->addAction(nodeIcon(*type), QCoreApplication::translate("Properties", type->label));
     action->setObjectName(QStringLiteral("add_") + QString::fromUtf8(type->id));
     action->setToolTip(QCoreApplication::translate("Properties", type->doc));
     action->setEnabled(!type->single || !m_document->scene().firstOf(*type));
+    if (!action->isEnabled()) action->setToolTip(tr("The scene has one already"));
     connect(action, &QAction::triggered, this, [this, type] {
       if (addNode) return addNode(*type);
       if (auto added = edit::addNode(*m_document, *type, {}); !added)

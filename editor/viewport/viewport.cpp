@@ -43,6 +43,20 @@ std::string modelOf(const SceneSnapshot& scene, const std::string& id) {
   return id;
 }
 
+/// What of a shape has a size of its own, with some ground round it; arrows are as long as the view is wide.
+Box3d placeOf(const NodeShape& shape) {
+  constexpr double kRound = 1.0;  // m
+  Box3d box;
+  for (const ShapePoint& point : shape.points) {
+    const bool arrow = point.handle == ShapeHandle::Arrow || point.handle == ShapeHandle::Wind ||
+                       point.handle == ShapeHandle::Sun;
+    if (arrow) continue;
+    box.extend(point.place - Vec3d{kRound, kRound, kRound});
+    box.extend(point.place + Vec3d{kRound, kRound, kRound});
+  }
+  return box;
+}
+
 }  // namespace
 
 Viewport::Viewport(QWidget* parent) : QWidget(parent), m_chosenKind(&m_brush.kind()) {
@@ -238,7 +252,8 @@ double Viewport::hazeScale() const {
 
 void Viewport::frameSelection() {
   if (!m_scene) return;
-  const Box3d box = nodeBounds(*m_scene, m_selected, m_filmTime);
+  Box3d box = nodeBounds(*m_scene, m_selected, m_filmTime);
+  if (box.empty()) box = placeOf(nodeShape(context(), m_selected));
   flyTo(box.empty() ? sceneBounds(*m_scene, m_filmTime) : box);
 }
 

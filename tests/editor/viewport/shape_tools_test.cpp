@@ -157,6 +157,18 @@ class ShapeToolsTest : public QObject {
     QCOMPARE(&f.viewport.brush().kind(), paintedKind(kGroundTypeLayerType));
   }
 
+  /// The view flies to a node that is no model, not to the whole scene.
+  void framingFindsTheShape() {
+    Fixture f(true);
+    f.viewport.setSelected("slab");
+    f.viewport.frameSelection();
+    QTRY_VERIFY(std::hypot(f.viewport.camera().target.x - 125, f.viewport.camera().target.y - 80) < 3.0);
+    const double near = length(f.viewport.camera().position - f.viewport.camera().target);
+    f.viewport.setSelected({});
+    f.viewport.frameSelection();
+    QTRY_VERIFY(length(f.viewport.camera().position - f.viewport.camera().target) > 2.0 * near);
+  }
+
   void aClickOnALineSelectsItsNode() {
     Fixture f(true);
     std::string clicked;
