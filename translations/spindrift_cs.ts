@@ -2356,6 +2356,37 @@
         <source>The sun needs a date: it stands still until the film&apos;s begin is set.</source>
         <translation>Slunce potřebuje datum: stojí, dokud není nastaven začátek filmu.</translation>
     </message>
+    <message>
+        <source>What flows passes through models. To put %1 in its way, select it and press &quot;Make rigid body&quot; at the end of its properties.</source>
+        <translation>Co teče, prochází modely. Má-li %1 stát v cestě, vyberte ho a stiskněte „Udělat tuhé těleso“ na konci jeho vlastností.</translation>
+    </message>
+    <message>
+        <source>The ground round all %1 copies of %2 has small cover cells, which takes much time and memory. Switch that off for what stands in great numbers.</source>
+        <translation>Zem kolem všech %1 kopií %2 má malé buňky pokrývky, což stojí mnoho času a paměti. U toho, čeho je mnoho, to vypněte.</translation>
+    </message>
+</context>
+<context>
+    <name>Viewport</name>
+    <message>
+        <source>Sun in %1°, %2° high</source>
+        <translation>Slunce v azimutu %1°, výška %2°</translation>
+    </message>
+    <message>
+        <source>Wind %1 m/s from %2°</source>
+        <translation>Vítr %1 m/s od %2°</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Radius %1 m</source>
+        <translation>Poloměr %1 m</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
 </context>
 <context>
     <name>spin::Application</name>
@@ -3608,10 +3639,6 @@
         <translation>Kreslit obrys odtrhu</translation>
     </message>
     <message>
-        <source>Shift while dragging a handle of flow</source>
-        <translation>Shift při tažení úchytu toku</translation>
-    </message>
-    <message>
         <source>Up and down instead of along the ground</source>
         <translation>Nahoru a dolů místo po zemi</translation>
     </message>
@@ -3690,6 +3717,34 @@
     <message>
         <source>Lights the snow by ambient, diffuse and mirrored light as published, instead of the physically based way.</source>
         <translation>Osvětlí sníh okolním, rozptýleným a zrcadleným světlem, jak bylo zveřejněno, místo fyzikálně založeného způsobu.</translation>
+    </message>
+    <message>
+        <source>&amp;Hints of the tools</source>
+        <translation>&amp;Nápovědy nástrojů</translation>
+    </message>
+    <message>
+        <source>Scatter copies of a model over the ground</source>
+        <translation>Rozmístit kopie modelu po zemi</translation>
+    </message>
+    <message>
+        <source>Shift while dragging a handle</source>
+        <translation>Shift při tažení úchytu</translation>
+    </message>
+    <message>
+        <source>Shift with copies</source>
+        <translation>Shift u kopií</translation>
+    </message>
+    <message>
+        <source>Take copies away</source>
+        <translation>Odebrat kopie</translation>
+    </message>
+    <message>
+        <source>Ctrl + click with copies</source>
+        <translation>Ctrl + klepnutí u kopií</translation>
+    </message>
+    <message>
+        <source>Choose the model that is copied</source>
+        <translation>Vybrat model, který se kopíruje</translation>
     </message>
 </context>
 <context>
@@ -3793,6 +3848,10 @@
         <source>Remove</source>
         <translation>Odebrat</translation>
     </message>
+    <message>
+        <source>The scene has one already</source>
+        <translation>Scéna už jeden má</translation>
+    </message>
 </context>
 <context>
     <name>spin::PathEditor</name>
@@ -3865,6 +3924,73 @@
     <message>
         <source>Smooth</source>
         <translation>Plynule</translation>
+    </message>
+</context>
+<context>
+    <name>spin::ScatterBar</name>
+    <message>
+        <source>The model that is copied (Ctrl + click in the view chooses it)</source>
+        <translation>Model, který se kopíruje (vybere ho Ctrl + klepnutí v pohledu)</translation>
+    </message>
+    <message>
+        <source>No model</source>
+        <translation>Žádný model</translation>
+    </message>
+    <message>
+        <source>Scatter copies</source>
+        <translation>Rozmístit kopie</translation>
+    </message>
+    <message>
+        <source>Take copies away, also with Shift held</source>
+        <translation>Odebrat kopie, také se stisknutým Shiftem</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Radius of the brush (F and move the pointer; [ and ]; Ctrl + wheel)</source>
+        <translation>Poloměr štětce (F a pohyb ukazatele; [ a ]; Ctrl + kolečko)</translation>
+    </message>
+    <message>
+        <source> per 100 m²</source>
+        <translation> na 100 m²</translation>
+    </message>
+    <message>
+        <source>How many copies stand on 100 m²; a stroke fills up to this</source>
+        <translation>Kolik kopií stojí na 100 m²; tah doplňuje do tohoto počtu</translation>
+    </message>
+    <message>
+        <source>Apart </source>
+        <translation>Odstup </translation>
+    </message>
+    <message>
+        <source>Distance between copies at least</source>
+        <translation>Nejmenší vzdálenost mezi kopiemi</translation>
+    </message>
+    <message>
+        <source>Turn </source>
+        <translation>Otočení </translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Range within which all copies of the model are turned at random</source>
+        <translation>Rozsah, v němž jsou všechny kopie modelu náhodně otočeny</translation>
+    </message>
+    <message>
+        <source>Size ±</source>
+        <translation>Velikost ±</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How much larger or smaller all copies of the model are at random</source>
+        <translation>O kolik jsou všechny kopie modelu náhodně větší nebo menší</translation>
     </message>
 </context>
 <context>
@@ -4188,6 +4314,74 @@
     <message>
         <source>Nothing is painted here</source>
         <translation>Zde není nic namalováno</translation>
+    </message>
+    <message>
+        <source>There is no terrain to paint on: import one first</source>
+        <translation>Není terén, na který by se malovalo: nejprve ho importujte</translation>
+    </message>
+    <message>
+        <source>Drag to paint. F: radius, Shift + F: strength, Shift: smooth, Ctrl: pick, D: erase</source>
+        <translation>Tažením malujte. F: poloměr, Shift + F: síla, Shift: vyhladit, Ctrl: nabrat, D: mazat</translation>
+    </message>
+    <message>
+        <source>There is no terrain to scatter on: import one first</source>
+        <translation>Není terén, na který by se rozmisťovalo: nejprve ho importujte</translation>
+    </message>
+    <message>
+        <source>There is no model to copy: import one first</source>
+        <translation>Není model, který by se kopíroval: nejprve ho importujte</translation>
+    </message>
+    <message>
+        <source>Drag to scatter copies, click for a single one. F: radius, Shift: take away, Ctrl: choose the model</source>
+        <translation>Tažením rozmístíte kopie, klepnutím jednu. F: poloměr, Shift: odebrat, Ctrl: vybrat model</translation>
+    </message>
+    <message>
+        <source>There is no terrain to draw on: import one first</source>
+        <translation>Není terén, na který by se kreslilo: nejprve ho importujte</translation>
+    </message>
+    <message>
+        <source>Click to add corners, drag to move them, Delete takes out the one under the pointer</source>
+        <translation>Klepnutím přidáte rohy, tažením je posunete, Delete odebere ten pod ukazatelem</translation>
+    </message>
+    <message>
+        <source>Click on the ground to begin the outline of a new avalanche release</source>
+        <translation>Klepnutím na zem začnete obrys nového odtrhu laviny</translation>
+    </message>
+    <message>
+        <source>Drag a handle. Ctrl: whole steps, Shift: up and down, Escape: take it back</source>
+        <translation>Táhněte za úchyt. Ctrl: celé kroky, Shift: nahoru a dolů, Escape: vzít zpět</translation>
+    </message>
+    <message>
+        <source>Select something that stands in the scene to get its handles</source>
+        <translation>Vyberte něco, co stojí ve scéně, aby se ukázaly úchyty</translation>
+    </message>
+    <message>
+        <source>Click to select. Middle button or Alt: turn, with Shift: shift the view, wheel: nearer</source>
+        <translation>Klepnutím vyberete. Prostřední tlačítko nebo Alt: otáčet, se Shiftem: posouvat pohled, kolečko: blíž</translation>
+    </message>
+    <message>
+        <source>Click on the model to copy</source>
+        <translation>Klepněte na model, který se má kopírovat</translation>
+    </message>
+    <message>
+        <source>Copies: %1</source>
+        <translation>Kopie: %1</translation>
+    </message>
+    <message>
+        <source>Copies: %1, no more are possible</source>
+        <translation>Kopie: %1, více jich být nemůže</translation>
+    </message>
+    <message>
+        <source>Drag a handle. Ctrl: whole steps, Escape: take it back</source>
+        <translation>Táhněte za úchyt. Ctrl: celé kroky, Escape: vzít zpět</translation>
+    </message>
+    <message>
+        <source>W: move, E: turn, R: scale, S: scatter copies of the selected model</source>
+        <translation>W: posunout, E: otočit, R: zvětšit, S: rozmístit kopie vybraného modelu</translation>
+    </message>
+    <message>
+        <source>B: paint the selected layer; the right button in the list of nodes fills and imports it</source>
+        <translation>B: malovat vybranou vrstvu; pravé tlačítko v seznamu uzlů ji vyplní nebo importuje</translation>
     </message>
 </context>
 </TS>

@@ -2356,6 +2356,37 @@
         <source>The sun needs a date: it stands still until the film&apos;s begin is set.</source>
         <translation>太阳需要日期：设定影片开始之前它静止不动。</translation>
     </message>
+    <message>
+        <source>What flows passes through models. To put %1 in its way, select it and press &quot;Make rigid body&quot; at the end of its properties.</source>
+        <translation>流体会穿过模型。要让 %1 挡住它，请选中它并按其属性末尾的“设为刚体”。</translation>
+    </message>
+    <message>
+        <source>The ground round all %1 copies of %2 has small cover cells, which takes much time and memory. Switch that off for what stands in great numbers.</source>
+        <translation>%2 的全部 %1 个副本周围的地面都使用小积雪单元，会耗费大量时间和内存。数量众多的物体请关闭此项。</translation>
+    </message>
+</context>
+<context>
+    <name>Viewport</name>
+    <message>
+        <source>Sun in %1°, %2° high</source>
+        <translation>太阳方位 %1°，高度 %2°</translation>
+    </message>
+    <message>
+        <source>Wind %1 m/s from %2°</source>
+        <translation>风速 %1 m/s，来自 %2°</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>北</translation>
+    </message>
+    <message>
+        <source>Radius %1 m</source>
+        <translation>半径 %1 m</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
 </context>
 <context>
     <name>spin::Application</name>
@@ -3600,10 +3631,6 @@
         <translation>绘制释放区轮廓</translation>
     </message>
     <message>
-        <source>Shift while dragging a handle of flow</source>
-        <translation>拖动流动手柄时按 Shift</translation>
-    </message>
-    <message>
         <source>Up and down instead of along the ground</source>
         <translation>上下移动而不沿地面</translation>
     </message>
@@ -3682,6 +3709,34 @@
     <message>
         <source>Lights the snow by ambient, diffuse and mirrored light as published, instead of the physically based way.</source>
         <translation>按发表的方式以环境光、漫反射光和镜面光照亮雪,而非基于物理的方式。</translation>
+    </message>
+    <message>
+        <source>&amp;Hints of the tools</source>
+        <translation>工具提示(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Scatter copies of a model over the ground</source>
+        <translation>在地面上散布模型副本</translation>
+    </message>
+    <message>
+        <source>Shift while dragging a handle</source>
+        <translation>拖动手柄时按住 Shift</translation>
+    </message>
+    <message>
+        <source>Shift with copies</source>
+        <translation>散布副本时按住 Shift</translation>
+    </message>
+    <message>
+        <source>Take copies away</source>
+        <translation>移除副本</translation>
+    </message>
+    <message>
+        <source>Ctrl + click with copies</source>
+        <translation>散布副本时按 Ctrl 单击</translation>
+    </message>
+    <message>
+        <source>Choose the model that is copied</source>
+        <translation>选择要复制的模型</translation>
     </message>
 </context>
 <context>
@@ -3783,6 +3838,10 @@
         <source>Remove</source>
         <translation>移除</translation>
     </message>
+    <message>
+        <source>The scene has one already</source>
+        <translation>场景中已有一个</translation>
+    </message>
 </context>
 <context>
     <name>spin::PathEditor</name>
@@ -3855,6 +3914,73 @@
     <message>
         <source>Smooth</source>
         <translation>平滑</translation>
+    </message>
+</context>
+<context>
+    <name>spin::ScatterBar</name>
+    <message>
+        <source>The model that is copied (Ctrl + click in the view chooses it)</source>
+        <translation>要复制的模型（在视图中按 Ctrl 单击选择）</translation>
+    </message>
+    <message>
+        <source>No model</source>
+        <translation>无模型</translation>
+    </message>
+    <message>
+        <source>Scatter copies</source>
+        <translation>散布副本</translation>
+    </message>
+    <message>
+        <source>Take copies away, also with Shift held</source>
+        <translation>移除副本，也可按住 Shift</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Radius of the brush (F and move the pointer; [ and ]; Ctrl + wheel)</source>
+        <translation>画笔半径（F 并移动指针；[ 和 ]；Ctrl + 滚轮）</translation>
+    </message>
+    <message>
+        <source> per 100 m²</source>
+        <translation> 个/100 m²</translation>
+    </message>
+    <message>
+        <source>How many copies stand on 100 m²; a stroke fills up to this</source>
+        <translation>每 100 m² 的副本数；一笔补足到此数</translation>
+    </message>
+    <message>
+        <source>Apart </source>
+        <translation>间距 </translation>
+    </message>
+    <message>
+        <source>Distance between copies at least</source>
+        <translation>副本之间的最小距离</translation>
+    </message>
+    <message>
+        <source>Turn </source>
+        <translation>旋转 </translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Range within which all copies of the model are turned at random</source>
+        <translation>模型所有副本随机旋转的范围</translation>
+    </message>
+    <message>
+        <source>Size ±</source>
+        <translation>大小 ±</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How much larger or smaller all copies of the model are at random</source>
+        <translation>模型所有副本随机放大或缩小的程度</translation>
     </message>
 </context>
 <context>
@@ -4176,6 +4302,74 @@
     <message>
         <source>Nothing is painted here</source>
         <translation>此处未绘制</translation>
+    </message>
+    <message>
+        <source>There is no terrain to paint on: import one first</source>
+        <translation>没有可绘制的地形：请先导入</translation>
+    </message>
+    <message>
+        <source>Drag to paint. F: radius, Shift + F: strength, Shift: smooth, Ctrl: pick, D: erase</source>
+        <translation>拖动以绘制。F：半径，Shift + F：强度，Shift：平滑，Ctrl：拾取，D：擦除</translation>
+    </message>
+    <message>
+        <source>There is no terrain to scatter on: import one first</source>
+        <translation>没有可散布的地形：请先导入</translation>
+    </message>
+    <message>
+        <source>There is no model to copy: import one first</source>
+        <translation>没有可复制的模型：请先导入</translation>
+    </message>
+    <message>
+        <source>Drag to scatter copies, click for a single one. F: radius, Shift: take away, Ctrl: choose the model</source>
+        <translation>拖动以散布副本，单击放置一个。F：半径，Shift：移除，Ctrl：选择模型</translation>
+    </message>
+    <message>
+        <source>There is no terrain to draw on: import one first</source>
+        <translation>没有可绘制的地形：请先导入</translation>
+    </message>
+    <message>
+        <source>Click to add corners, drag to move them, Delete takes out the one under the pointer</source>
+        <translation>单击添加角点，拖动以移动，Delete 移除指针下的角点</translation>
+    </message>
+    <message>
+        <source>Click on the ground to begin the outline of a new avalanche release</source>
+        <translation>单击地面以开始绘制新的雪崩释放区轮廓</translation>
+    </message>
+    <message>
+        <source>Drag a handle. Ctrl: whole steps, Shift: up and down, Escape: take it back</source>
+        <translation>拖动手柄。Ctrl：整步，Shift：上下，Escape：撤回</translation>
+    </message>
+    <message>
+        <source>Select something that stands in the scene to get its handles</source>
+        <translation>选择场景中的物体以显示其手柄</translation>
+    </message>
+    <message>
+        <source>Click to select. Middle button or Alt: turn, with Shift: shift the view, wheel: nearer</source>
+        <translation>单击选择。中键或 Alt：旋转，加 Shift：平移视图，滚轮：拉近</translation>
+    </message>
+    <message>
+        <source>Click on the model to copy</source>
+        <translation>单击要复制的模型</translation>
+    </message>
+    <message>
+        <source>Copies: %1</source>
+        <translation>副本：%1</translation>
+    </message>
+    <message>
+        <source>Copies: %1, no more are possible</source>
+        <translation>副本：%1，不能再多</translation>
+    </message>
+    <message>
+        <source>Drag a handle. Ctrl: whole steps, Escape: take it back</source>
+        <translation>拖动手柄。Ctrl：整步，Escape：撤回</translation>
+    </message>
+    <message>
+        <source>W: move, E: turn, R: scale, S: scatter copies of the selected model</source>
+        <translation>W：移动，E：旋转，R：缩放，S：散布所选模型的副本</translation>
+    </message>
+    <message>
+        <source>B: paint the selected layer; the right button in the list of nodes fills and imports it</source>
+        <translation>B：绘制所选图层；在节点列表中按右键可填充和导入</translation>
     </message>
 </context>
 </TS>

@@ -298,7 +298,7 @@ void MainWindow::showExportDialog() {
   defaults.height = picture.height;
   if (const SceneNode* node = scene.firstOf(kRenderType))
     defaults.pictureNode = QString::fromStdString(node->id);
-  for (const std::string& folder : m_document->pathPolicy().allowedFolders)
+  for (const std::string& folder : m_document->neededFolders())
     defaults.allowedFolders << QString::fromStdString(folder);
   if (const SnapshotPointer& snapshot = m_simulation->snapshot(); snapshot && snapshot->terrain)
     defaults.coverCells = static_cast<double>(snapshot->terrain->heights.size());

@@ -36,6 +36,15 @@ namespace fs = std::filesystem;
 /// Simulating again is worth it when a cached frame turns out to be damaged, but not for ever.
 constexpr int kRepairs = 3;
 
+bool canWrite(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  const std::string probe = fmt::format("{}/.probe{}", folder, ::getpid());
+  const bool written = static_cast<bool>(std::ofstream(probe) << "x");
+  fs::remove(probe, error);
+  return written;
+}
+
 std::string sizeText(double bytes) {
   if (bytes < 1e6) return fmt::format("{:.0f} kB", bytes / 1e3);
   return bytes < 1e9 ? fmt::format("{:.1f} MB", bytes / 1e6) : fmt::format("{:.2f} GB", bytes / 1e9);
@@ -175,6 +184,10 @@ Status Job::prepare() {
 Status Job::checkRoom() {
   const RunEstimate need = estimateRun(*m_opened.snapshot, *m_store, m_run);
   m_report.simulatedFrames = need.framesToCompute;
+  // Found now, not after the first frame has been computed.
+  if (need.framesToCompute > 0 && !canWrite(m_report.cache))
+    return Error{ErrorKind::OutOfResources, "The cache folder cannot be written", m_report.cache,
+                 "no file can be made there", "Name another folder with --cache"};
   const double output =
       exportBytes(*m_opened.snapshot, m_options, m_report.frames, need.frameBytes, m_plugins);
   const int exported = m_options.formats.empty() ? 0 : m_report.frames.count();
@@ -252,15 +265,6 @@ Status Job::writeManifest(const JobExport& out) {
   OutputFile file((fs::path(m_options.output) / "manifest.json").string());
   if (Status written = file.write({text.begin(), text.end()}); !written) return written;
   return file.commit(text.size());
-}
-
-bool canWrite(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  const std::string probe = fmt::format("{}/.probe{}", folder, ::getpid());
-  const bool written = static_cast<bool>(std::ofstream(probe) << "x");
-  fs::remove(probe, error);
-  return written;
 }
 
 }  // namespace

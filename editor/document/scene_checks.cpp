@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 
 #include "core/nodes/camera_node.h"
+#include "core/nodes/flow_nodes.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
 #include "core/nodes/weather_nodes.h"
@@ -24,6 +25,8 @@ class Checks {
 
   std::vector<DocumentIssue> run() {
     checkNodes();
+    checkFlow();
+    checkCopies();
     if (const auto* settings = first<SimulationNode>(kSimulationType)) checkSimulation(*settings);
     if (const auto* picture = first<RenderNode>(kRenderType)) checkPicture(*picture);
     if (const auto* weather = first<WeatherNode>(kWeatherType)) checkWeather(*weather);
@@ -60,6 +63,35 @@ class Checks {
         m_issues.push_back({Severity::Warning, node.id, "source",
                             QCoreApplication::translate("SceneChecks", "No file is chosen for %1.")
                                 .arg(QString::fromStdString(node.name))});
+    }
+  }
+
+  /// Nothing looks more like a mistake of the program than an avalanche that runs through a hut.
+  void checkFlow() {
+    const bool flows = m_scene.firstOf(kAvalancheReleaseType) || m_scene.firstOf(kWaterSourceType);
+    const SceneNode* model = m_scene.firstOf(kModelType);
+    if (!flows || !model || m_scene.firstOf(kRigidBodyType)) return;
+    m_issues.push_back(
+        {Severity::Information, model->id, "",
+         QCoreApplication::translate("SceneChecks",
+                                     "What flows passes through models. To put %1 in its way, select it and "
+                                     "press \"Make rigid body\" at the end of its properties.")
+             .arg(QString::fromStdString(model->name))});
+  }
+
+  void checkCopies() {
+    constexpr std::size_t kMany = 40;
+    for (const SceneNode& node : m_scene.nodes()) {
+      const auto* model = node.as<ModelNode>();
+      if (!model || model->copies.size() <= kMany || !model->fineCover) continue;
+      m_issues.push_back(
+          {Severity::Information, node.id, "fine_cover",
+           QCoreApplication::translate("SceneChecks",
+                                       "The ground round all %1 copies of %2 has small cover cells, which "
+                                       "takes much time and memory. Switch that off for what stands in "
+                                       "great numbers.")
+               .arg(model->copies.size())
+               .arg(QString::fromStdString(node.name))});
     }
   }
 

@@ -311,6 +311,22 @@ PathPolicy SceneDocument::pathPolicy() const {
   return m_assets->policy();
 }
 
+std::vector<std::string> SceneDocument::neededFolders() const {
+  const std::string scene = m_path.toStdString();
+  const PathPolicy all = pathPolicy();
+  std::vector<std::string> needed;
+  for (const std::string& folder : all.allowedFolders) {
+    PathPolicy only;
+    only.allowedFolders = {folder};
+    const bool used = std::any_of(m_scene.nodes().begin(), m_scene.nodes().end(), [&](const SceneNode& node) {
+      const std::string source = sourceOf(node);
+      return !source.empty() && !resolveAssetPath(scene, source, {}) && resolveAssetPath(scene, source, only);
+    });
+    if (used && std::find(needed.begin(), needed.end(), folder) == needed.end()) needed.push_back(folder);
+  }
+  return needed;
+}
+
 std::string SceneDocument::storedPath(const QString& absolutePath) const {
   return storedAssetPath(m_path.toStdString(), absolutePath.toStdString());
 }

@@ -70,6 +70,8 @@ class SceneDocument : public QObject {
   /// and the nodes then use the copy. For files imported before the scene has a folder.
   void copyOnSave(const QString& file);
   PathPolicy pathPolicy() const;
+  /// Of the allowed folders those that a node's file lies in.
+  std::vector<std::string> neededFolders() const;
   /// The form in which a node stores this file.
   std::string storedPath(const QString& absolutePath) const;
 

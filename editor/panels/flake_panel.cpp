@@ -56,7 +56,7 @@ FlakePanel::FlakePanel(SceneDocument* document, QWidget* parent)
   m_picture->setObjectName(QStringLiteral("flakePicture"));
   m_picture->setAlignment(Qt::AlignCenter);
   m_picture->setMinimumSize(120, 120);
-  m_picture->setStyleSheet(QStringLiteral("background: #10161f"));
+  m_picture->setStyleSheet(QStringLiteral("background: #000000"));
   m_measures->setObjectName(QStringLiteral("flakeMeasures"));
   m_progress->setRange(0, 1000);
   m_progress->setTextVisible(false);

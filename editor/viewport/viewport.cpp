@@ -54,6 +54,9 @@ Box3d placeOf(const NodeShape& shape) {
     box.extend(point.place - Vec3d{kRound, kRound, kRound});
     box.extend(point.place + Vec3d{kRound, kRound, kRound});
   }
+  for (const NodeShape::Line& line : shape.lines)
+    for (const Vec3d& p : line.points)
+      if (line.closed && !shape.north) box.extend(p);
   return box;
 }
 

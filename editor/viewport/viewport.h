@@ -148,6 +148,7 @@ class Viewport : public QWidget {
   bool wheel(const QWheelEvent& event);
   bool cancelEdit();
   bool keyPress(const QKeyEvent& event);
+  void followKeys(const QKeyEvent& event, bool down);
   bool removeCorner();
   bool beginEdit(const QMouseEvent& event);
   bool beginBrush(Vec2d pixel, Qt::KeyboardModifiers keys);
@@ -189,6 +190,7 @@ class Viewport : public QWidget {
   void paintOverlay(QPainter& painter) const;
   void paintWords(QPainter& painter) const;
   double pictureAspect() const;
+  const SceneNode* selectedNode() const;
   void flyStep();
   void flyTo(const Box3d& box);
   double now() const;

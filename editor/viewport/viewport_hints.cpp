@@ -42,13 +42,26 @@ QString Viewport::toolHint() const {
     case Tool::Move:
     case Tool::Rotate:
     case Tool::Scale:
-      if (m_gizmo.pose(context()) || findShapeNode(context(), m_selected))
+      if (m_gizmo.pose(context())) return tr("Drag a handle. Ctrl: whole steps, Escape: take it back");
+      if (findShapeNode(context(), m_selected))
         return tr("Drag a handle. Ctrl: whole steps, Shift: up and down, Escape: take it back");
       return tr("Select something that stands in the scene to get its handles");
   }
   if (findShapeNode(context(), m_selected))
     return tr("Drag a handle. Ctrl: whole steps, Shift: up and down, Escape: take it back");
+  const SceneNode* selected = selectedNode();
+  if (selected && selected->as<ModelNode>())
+    return tr("W: move, E: turn, R: scale, S: scatter copies of the selected model");
+  if (selected && paintedKind(*selected->type) && ground)
+    return tr("B: paint the selected layer; the right button in the list of nodes fills and imports it");
   return tr("Click to select. Middle button or Alt: turn, with Shift: shift the view, wheel: nearer");
+}
+
+const SceneNode* Viewport::selectedNode() const {
+  if (!m_scene || m_selected.empty()) return nullptr;
+  for (const SceneNode& node : m_scene->nodes)
+    if (node.id == m_selected) return &node;
+  return nullptr;
 }
 
 double Viewport::pictureAspect() const {

@@ -41,9 +41,11 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
       event->accept();
       return true;
     case QEvent::KeyRelease:
+      followKeys(*static_cast<QKeyEvent*>(event), false);
       return brushKey(*static_cast<QKeyEvent*>(event));
     case QEvent::ShortcutOverride:
     case QEvent::KeyPress:
+      followKeys(*static_cast<QKeyEvent*>(event), true);
       if (!keyPress(*static_cast<QKeyEvent*>(event))) return false;
       event->accept();
       return true;
@@ -57,6 +59,16 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
     default:
       return false;
   }
+}
+
+/// What a held key makes of a brush shows at once, not when the pointer moves next.
+void Viewport::followKeys(const QKeyEvent& event, bool down) {
+  const Qt::KeyboardModifier key = event.key() == Qt::Key_Shift     ? Qt::ShiftModifier
+                                   : event.key() == Qt::Key_Control ? Qt::ControlModifier
+                                                                    : Qt::NoModifier;
+  if (key == Qt::NoModifier || !hasTip()) return;
+  m_keys.setFlag(key, down);
+  updateOverlay();
 }
 
 /// True for keys that mean something here; others go on to the window's shortcuts.

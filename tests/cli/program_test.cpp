@@ -221,6 +221,14 @@ TEST_F(CliProgram, AScenesNameEndsInSpindrift) {
   }
 }
 
+TEST_F(CliProgram, ACacheThatCannotBeWrittenIsToldBeforeAnythingIsComputed) {
+  test::writeFile(folder / "file", "in the way");
+  const auto outcome = runProgram(folder, {"simulate", scene, "--cache", folder / "file/cache"});
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_NE(outcome.error.find("The cache folder cannot be written"), std::string::npos) << outcome.error;
+  EXPECT_EQ((outcome.out + outcome.error).find("frame 1"), std::string::npos) << outcome.error;
+}
+
 TEST_F(CliProgram, AReadOnlyPlaceMovesTheCacheBelowTheOutput) {
   // Where a file stands in the way of the folder even root cannot make it.
   test::writeFile(folder / "tiny.cache", "in the way");

@@ -127,6 +127,14 @@ TEST_F(TerrainHostile, NumbersThatAreNone) {
   }
 }
 
+/// Tiles of the Shuttle Radar Topography Mission are read, and as all that is in degrees they are refused
+/// with the command that puts them into metres.
+TEST_F(TerrainHostile, ShuttleTilesAreKnown) {
+  const std::string path =
+      test::writeBytes(m_folder.file("N47E011.hgt"), std::string(std::size_t{2} * 1201 * 1201, '\1'));
+  expectError(test::readTerrain(path), ErrorKind::BadInput, path, {"degrees", "gdalwarp -t_srs EPSG:32632"});
+}
+
 TEST_F(TerrainHostile, DegreesAreRefusedWithTheCommandThatHelps) {
   RasterFile raster;
   raster.epsg = 4326;

@@ -7,7 +7,9 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
+#include "core/nodes/flow_nodes.h"
 #include "core/nodes/ground_nodes.h"
 #include "core/nodes/terrain_node.h"
 #include "core/nodes/weather_nodes.h"
@@ -44,6 +46,8 @@ class SceneDocumentTest : public QObject {
   void unchangedLayersAreNotWrittenAgain();
   void savingElsewhereRebasesFiles();
   void assetsFromOutsideAreAllowedByTheUser();
+  void newcomersAreAdvised();
+  void onlyFoldersInUseAreNeeded();
   void filesAreCopiedAtTheFirstSave();
   void aFileThatCannotBeCopiedDoesNotHinderTheSave();
   void filesOutsideAreAnIssue();
@@ -212,6 +216,45 @@ void SceneDocumentTest::assetsFromOutsideAreAllowedByTheUser() {
   QVERIFY(!edit::addAssetNode(document, kModelType, QStringLiteral("/dev/zero")).ok());
   SceneDocument later(m_reader);
   QCOMPARE(later.pathPolicy().allowedFolders.size(), document.pathPolicy().allowedFolders.size());
+}
+
+/// A hut that an avalanche runs through, and a forest with fine cover, are told of; until they are mended.
+void SceneDocumentTest::newcomersAreAdvised() {
+  SceneDocument document(m_reader);
+  const auto told = [&](const char* node, const QString& words) {
+    const auto issues = document.issues();
+    return std::any_of(issues.begin(), issues.end(), [&](const DocumentIssue& issue) {
+      return issue.severity == Severity::Information && issue.node == node && issue.text.contains(words);
+    });
+  };
+  QVERIFY(edit::addNode(document, kModelType, QStringLiteral("Hut"), "hut").ok());
+  QVERIFY(!told("hut", QStringLiteral("rigid body")));
+  QVERIFY(edit::addNode(document, kAvalancheReleaseType, QStringLiteral("Slab"), "slab").ok());
+  QTRY_VERIFY(told("hut", QStringLiteral("rigid body")));
+  QVERIFY(edit::addNode(document, kRigidBodyType, QStringLiteral("Body"), "body").ok());
+  QTRY_VERIFY(!told("hut", QStringLiteral("rigid body")));
+  QVERIFY(edit::setValue(document, "hut", "copies_m", PlanPoints(100, Vec2d{1, 2})).ok());
+  QTRY_VERIFY(told("hut", QStringLiteral("100 copies")));
+  QVERIFY(edit::setValue(document, "hut", "fine_cover", false).ok());
+  QTRY_VERIFY(!told("hut", QStringLiteral("copies")));
+}
+
+/// Exports name the folders that the scene's files lie in, not all that were ever allowed.
+void SceneDocumentTest::onlyFoldersInUseAreNeeded() {
+  const QTemporaryDir first, second;
+  write(first.filePath(QStringLiteral("hut.obj")), "3");
+  write(second.filePath(QStringLiteral("tree.obj")), "3");
+  SceneDocument document(m_reader);
+  document.saveAs(path("used.spindrift"));
+  QVERIFY(document.finishSaving().ok());
+  const auto hut = edit::addAssetNode(document, kModelType, first.filePath(QStringLiteral("hut.obj")));
+  const auto tree = edit::addAssetNode(document, kModelType, second.filePath(QStringLiteral("tree.obj")));
+  QVERIFY(hut.ok() && tree.ok());
+  QCOMPARE(document.neededFolders().size(), std::size_t{2});
+  QVERIFY(edit::removeNode(document, *hut).ok());
+  QCOMPARE(document.neededFolders(), std::vector<std::string>{second.path().toStdString()});
+  QVERIFY(edit::removeNode(document, *tree).ok());
+  QVERIFY(document.neededFolders().empty());
 }
 
 void SceneDocumentTest::filesAreCopiedAtTheFirstSave() {

@@ -91,6 +91,19 @@ class ScatterToolTest : public QObject {
     QVERIFY(!f.copies.empty());
   }
 
+  /// A held key is read from the keyboard, too: the ring turns red before the pointer moves.
+  void theRingFollowsHeldKeys() {
+    Fixture f;
+    f.move(f.pixel(60, 60), Qt::NoButton);
+    const auto shot = [&] { return f.viewport.surface()->grab().toImage(); };
+    const QImage plain = shot();
+    QTest::keyPress(f.viewport.surface(), Qt::Key_Shift);
+    const QImage held = shot();
+    QTest::keyRelease(f.viewport.surface(), Qt::Key_Shift);
+    QVERIFY(held != plain);
+    QVERIFY(shot() == plain);
+  }
+
   void aStrokeIsOneEditAndEscapeTakesItBack() {
     Fixture f;
     QSignalSpy started(&f.viewport, &Viewport::editStarted), finished(&f.viewport, &Viewport::editFinished),

@@ -280,6 +280,8 @@ class ViewportToolsTest : public QObject {
     const QString without = f.viewport.toolHint();
     f.viewport.setSelected("cube");
     QVERIFY(f.viewport.toolHint() != without);
+    f.viewport.setTool(Viewport::Tool::Select);
+    QVERIFY(f.viewport.toolHint().contains(QStringLiteral("W")));
     f.viewport.setTool(Viewport::Tool::Brush);
     const QString painting = f.viewport.toolHint();
     f.viewport.setScene(std::make_shared<SceneSnapshot>());
