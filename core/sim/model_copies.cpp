@@ -3,7 +3,6 @@
 #include "core/sim/model_copies.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/random.h"
 #include "core/base/units.h"
@@ -17,21 +16,12 @@ double groundAt(const SceneSnapshot& scene, double x, double y) {
   return scene.terrain ? TerrainSurface(scene.terrain->heights).nearestHeight(x, y) : 0.0;
 }
 
-/// A number of its own for every millimetre of the plane: a copy's turn and size follow from where it stands,
-/// so that they stay when other copies come and go.
-std::uint64_t numberOf(Vec2d place) {
-  const auto part = [](double metres) {
-    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(std::llround(1000.0 * metres)));
-  };
-  return part(place.x) << 32 | part(place.y);
-}
-
 /// Where copy k stands in the world, from the node's own place.
 Transform placeOfCopy(const SceneSnapshot& scene, const ModelNode& data, const Transform& own,
                       std::size_t k) {
   constexpr std::uint32_t kStream = 0x636f7079u;
+  const UInt4 words = CounterRandom{static_cast<std::uint64_t>(data.copySeed), kStream}.words(k);
   const Vec2d at = data.copies[k];
-  const UInt4 words = CounterRandom{static_cast<std::uint64_t>(data.copySeed), kStream}.words(numberOf(at));
   const double above = data.onGround
                            ? own.translation.z - groundAt(scene, own.translation.x, own.translation.y)
                            : own.translation.z;

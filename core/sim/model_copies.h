@@ -12,10 +12,9 @@ namespace spin {
 inline constexpr std::size_t kMostCopies = 100'000;
 
 /// The model with one more set of instances for each of the node's copies: each at its place in plan, as high
-/// above the ground there as the node stands above its own, turned and scaled at random by the node's seed
-/// and the place, so that adding and taking away copies leaves the others as they are. Meshes are the model's
-/// own. Returns `model` itself where the node has no copies. Copies stand where they do at film time 0 and
-/// move with the node.
+/// above the ground there as the node stands above its own, turned and scaled at random by the node's seed.
+/// Meshes are the model's own. Returns `model` itself where the node has no copies. Copies stand where they
+/// do at film time 0 and move with the node.
 std::shared_ptr<const ModelData> withCopies(const std::shared_ptr<const ModelData>& model,
                                             const SceneSnapshot& scene, const SceneNode& node);
 

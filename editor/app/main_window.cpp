@@ -205,15 +205,19 @@ void MainWindow::firstLook(const SnapshotPointer& snapshot) {
     m_viewport->frameAll();
 }
 
-/// A hut in a valley that is seen as a whole would be a dot that nobody finds.
+/// A hut in a valley that is seen as a whole would be a dot that nobody finds; the view flies to it, as to
+/// what it does not show at all.
 void MainWindow::lookAtNewModel(const SnapshotPointer& snapshot) {
   constexpr double kFoundPixels = 40.0;
   if (m_newModel.empty() || !snapshot) return;
   const Box3d box = nodeBounds(*snapshot, m_newModel, m_time->filmTime());
   if (box.empty()) return;
   m_newModel.clear();
-  const double metres = m_viewport->context().view.metresPerPixel(box.centre());
-  if (metres > 0.0 && length(box.size()) < kFoundPixels * metres) m_viewport->frameSelection();
+  const ViewFrame view = m_viewport->context().view;
+  const auto at = view.project(box.centre());
+  const bool inside = at && at->x > 0.0 && at->y > 0.0 && at->x < view.width() && at->y < view.height();
+  if (!inside || length(box.size()) < kFoundPixels * view.metresPerPixel(box.centre()))
+    m_viewport->frameSelection();
 }
 
 void MainWindow::updateFilm() {

@@ -85,10 +85,16 @@ bool ScatterStroke::moveTo(Vec2d position) {
   return changed;
 }
 
+/// A copy's turn and size follow from its number, so the others keep theirs but for the last ones, which move
+/// up into the gaps.
 bool ScatterStroke::eraseAlong(Vec2d from, Vec2d to) {
-  const std::size_t gone = std::erase_if(
-      m_copies, [&](const Vec2d& p) { return coveredAt(p, from, to, m_task.radius).has_value(); });
-  return gone > 0;
+  const std::size_t before = m_copies.size();
+  for (std::size_t k = before; k-- > 0;) {
+    if (!coveredAt(m_copies[k], from, to, m_task.radius)) continue;
+    m_copies[k] = m_copies.back();
+    m_copies.pop_back();
+  }
+  return m_copies.size() < before;
 }
 
 std::vector<ScatterStroke::Square> ScatterStroke::squaresAlong(Vec2d from, Vec2d to) {

@@ -95,6 +95,11 @@ class ScatterStrokeTest : public QObject {
       if (std::abs(p.y) > 5.0)
         QVERIFY(std::find(eraser.copies().begin(), eraser.copies().end(), p) != eraser.copies().end());
     QVERIFY(!eraser.moveTo({-30, 0}));
+    // Turn and size go by number: no more copies get another one than went.
+    int renumbered = 0;
+    for (std::size_t k = 0; k < eraser.copies().size(); ++k)
+      if (!(eraser.copies()[k] == stroke.copies()[k])) ++renumbered;
+    QVERIFY(renumbered <= -eraser.change());
   }
 
   /// A click with a tip that is small beside the squares sets one copy; another click there does not.
