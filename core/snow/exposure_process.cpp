@@ -42,16 +42,8 @@ Hash128 placesOf(const SceneSnapshot& scene, double filmTime) {
   return hasher.digest();
 }
 
-Hash128 keyOf(const ExposureSettings& settings, const SceneSnapshot& scene, double filmTime) {
-  Hasher hasher;
-  const Vec3d& mean = settings.cone.frame.n;
-  hasher.add(mean.x).add(mean.y).add(mean.z).add(settings.cone.halfAngle);
-  hasher.add(placesOf(scene, filmTime));
-  return hasher.digest();
-}
-
-/// Holds the exposure and asks again only when the directions of fall changed, or where a model moved. It is
-/// a pure function of those, so a checkpoint need not store it.
+/// Holds the exposure and asks again only when the directions of fall or settings changed, or where a model
+/// moved. It is a pure function of those, so a checkpoint need not store it.
 class ExposureProcess final : public Process {
  public:
   const char* id() const override { return "exposure"; }
@@ -94,7 +86,6 @@ class ExposureProcess final : public Process {
  private:
   void prepare(const SceneSnapshot& scene, ProcessContext& context) {
     m_field = nullptr;
-    m_key = {};
     m_memory = {};
     m_scenes.emplace(context.makeRayScene);
     m_places.reset();
@@ -107,30 +98,31 @@ class ExposureProcess final : public Process {
 
   Status update(const SceneSnapshot& scene, double filmTime, ProcessContext& context) {
     const ExposureSettings settings = exposureSettings(scene, filmTime);
-    const Hash128 key = keyOf(settings, scene, filmTime);
-    if (m_field && key == m_key) return {};
+    const Hash128 places = placesOf(scene, filmTime);
+    const bool moved = !m_places || !(places == *m_places);
+    if (m_field && !moved && settings == m_settings) return {};
+    m_field = nullptr;  // it is of the past, also where this is cancelled
     std::optional<SnowScene> made = [&] {
       ScopedStage stage(context.backend.timings(), "ray scene");
       return m_scenes->at(scene, *m_ground, filmTime, context.cancel);
     }();
     if (!made) return cancelledError();
     const auto standing = std::make_shared<const SnowScene>(std::move(*made));
-    const Hash128 places = placesOf(scene, filmTime);
-    if (!m_places || !(places == *m_places)) m_motion->place(m_ground, standing);
+    if (moved) m_motion->place(m_ground, standing);
     m_places = places;
     auto field = makeExposureField(scene, *m_ground, *standing, settings,
                                    {context.backend, context.cancel, context.progress, context.makeMapRaster},
                                    &m_memory);
     if (!field) return field.error();
     m_field = std::make_shared<const ExposureField>(std::move(field.value()));
-    m_key = key;
+    m_settings = settings;
     context.exchange.emplace<ExposureFieldPointer>(m_field);
     return {};
   }
 
   SnowGroundPointer m_ground;
   ExposureFieldPointer m_field;
-  Hash128 m_key;
+  ExposureSettings m_settings;  ///< of the field
   std::optional<SnowSceneMaker> m_scenes;
   ExposureMemory m_memory;
   SnowMotionPointer m_motion;
