@@ -17,6 +17,7 @@ Hash128 contentHash(const TerrainData& terrain) {
   Hasher hasher;
   const Raster<float>& r = terrain.heights;
   hasher.add(r.width).add(r.height).add(r.originX).add(r.originY).add(r.cellSize);
+  hasher.add(terrain.geo.origin.z);  // heights count from it, air pressure and temperature from sea level
   addVector(hasher, r.values);
   return hasher.digest();
 }

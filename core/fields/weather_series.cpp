@@ -196,7 +196,7 @@ std::string WeatherSeries::gapReport() const {
 WeatherRecord meanRecord(const WeatherSeries& weather, double from, double to) {
   const auto count = static_cast<double>(weather.records.size()), step = static_cast<double>(weather.step);
   const double begin = (from - static_cast<double>(weather.start)) / step;
-  const double end = std::max((to - static_cast<double>(weather.start)) / step, begin + 1e-9);
+  const double end = (to - static_cast<double>(weather.start)) / step;
   WeatherRecord mean;
   const auto add = [&](const WeatherRecord& r, double share, bool falls) {
     mean.shortwave += share * r.shortwave;
@@ -209,6 +209,11 @@ WeatherRecord meanRecord(const WeatherSeries& weather, double from, double to) {
     mean.pressure += share * r.pressure;
   };
   const double length = end - begin;
+  if (!(length > 0.0)) {
+    const bool inside = begin >= 0.0 && begin < count;
+    add(weather.records[static_cast<std::size_t>(std::clamp(begin, 0.0, count - 1.0))], 1.0, inside);
+    return mean;
+  }
   const double before = std::min(end, 0.0) - begin, after = end - std::max(begin, count);
   if (before > 0.0) add(weather.records.front(), before / length, false);
   if (after > 0.0) add(weather.records.back(), after / length, false);

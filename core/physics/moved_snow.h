@@ -46,8 +46,14 @@ inline void takeFromColumn(SnowColumn<float>& column, const MovedSnow& change) {
     if (!(layer.ice > 0.0f)) layer = {0.0f, 0.0f, 0.0f, 0.0f};
     left += static_cast<double>(layer.ice) + static_cast<double>(layer.liquid);
   }
-  column.rest =
-      static_cast<float>(std::max(ice + change.ice, 0.0) + std::max(liquid + change.liquid, 0.0) - left);
+  const double gainedWater = liquid > 0.0 ? 0.0 : std::max(change.liquid, 0.0);
+  column.rest = static_cast<float>(std::max(ice + change.ice, 0.0) + std::max(liquid + change.liquid, 0.0) -
+                                   left - gainedWater);
+  if (!(gainedWater > 0.0)) return;
+  SnowLayer<float>& top = column.snow[0];
+  addMass(top.liquid, static_cast<float>(gainedWater), column.rest);
+  ColumnFluxes<float> within{};
+  settlePhases(top, 0.0f, within, column.rest);
 }
 
 /// A net gain: it lies on the top layer, and water and cold in it share their heat.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/physics/humidity.h"
 #include "core/physics/moved_snow.h"
 
 namespace spin {
@@ -71,8 +72,18 @@ double CoverCells::layOld(const SceneSnapshot& scene, const ExposureField& field
   return added;
 }
 
+double CoverCells::lyingShare(std::size_t cell, const CoverWeather& weather) const {
+  if (m_ages || !(weather.precipitation > 0.0)) return 1.0;
+  const SnowStepWeather& now = weather.step;
+  if (!now.splitByTemperature)
+    return static_cast<double>(now.snowfall) / static_cast<double>(now.snowfall + now.rainfall);
+  return snowShare(static_cast<double>(now.airTemperature) + m_site.airOffset(cell),
+                   static_cast<double>(now.relativeHumidity));
+}
+
 CoverCells::Fallen CoverCells::fall(const SceneSnapshot& scene, double filmTime, const ExposureField& field,
-                                    double fallen, double density, CpuBackend& backend) {
+                                    const CoverWeather& weather, double fallen, double density,
+                                    CpuBackend& backend) {
   constexpr std::size_t kCells = 8192;
   Fallen total;
   const std::vector<float>& higher = m_site.fallFactors();
@@ -90,23 +101,31 @@ CoverCells::Fallen CoverCells::fall(const SceneSnapshot& scene, double filmTime,
             const double arrived = higher.empty() ? level : level * static_cast<double>(higher[cell]);
             const double cleared = clear.empty() ? 0.0 : arrived * static_cast<double>(clear[c]);
             sums[chunk].gained += (arrived - level) * areaOf(cell);
+            const double lies = (arrived - cleared) * lyingShare(cell, weather);
             sums[chunk].cleared += cleared * areaOf(cell);
-            m_freshMass[cell] += arrived - cleared;
-            m_freshDepth[cell] += (arrived - cleared) / density;
+            sums[chunk].runoff += (arrived - cleared - lies) * areaOf(cell);
+            m_freshMass[cell] += lies;
+            m_freshDepth[cell] += lies / density;
           }
         });
     for (const Fallen& sum : sums) {
       total.gained += sum.gained;
       total.cleared += sum.cleared;
+      total.runoff += sum.runoff;
     }
   }
   return total;
 }
 
-SnowStepTotals CoverCells::advance(const SceneSnapshot& scene, const TimeSpan& span, double fallen,
-                                   CpuBackend& backend, Isa isa) {
+CoverCells::Advanced CoverCells::advance(const SceneSnapshot& scene, const TimeSpan& span, double fallen,
+                                         CpuBackend& backend, Isa isa) {
   if (!m_ages) return {};
-  if (m_waitingSeconds == 0.0) m_waitingFrom = span.from;
+  if (m_waitingSeconds == 0.0 || span.from.weather != m_waitingTo) {
+    // After a pause the weather of the time before it is not asked again.
+    m_waitingFrom = span.from;
+    m_waitingFrom.weather -= m_waitingSeconds;
+  }
+  m_waitingTo = span.to.weather;
   m_waitingSeconds += span.seconds();
   m_waitingFallen += fallen;
   if (m_waitingSeconds < kLeastStep) return {};
@@ -127,7 +146,7 @@ SnowStepTotals CoverCells::advance(const SceneSnapshot& scene, const TimeSpan& s
   m_site.light(weather.sun, m_cells, backend);
   m_site.heat(scene, waiting.middleFilm(), m_cells);
   m_waitingSeconds = m_waitingFallen = 0.0;
-  return m_cells.advance(step, backend, isa);
+  return {m_cells.advance(step, backend, isa), static_cast<double>(step.seconds)};
 }
 
 CoverCells::Moving CoverCells::moving() const {
@@ -207,7 +226,7 @@ CoverPart::Values CoverCells::valuesOf(std::size_t grid) const {
 void CoverCells::save(ByteWriter& out) const {
   out.put(m_waitingSeconds);
   out.put(m_waitingFallen);
-  for (const double value : {m_waitingFrom.film, m_waitingFrom.weather}) out.put(value);
+  for (const double value : {m_waitingFrom.film, m_waitingFrom.weather, m_waitingTo}) out.put(value);
   out.putArray(m_freshMass);
   out.putArray(m_freshDepth);
   if (!m_ages) return;
@@ -219,6 +238,7 @@ bool CoverCells::load(ByteReader& in) {
   m_waitingFallen = in.get<double>();
   m_waitingFrom.film = in.get<double>();
   m_waitingFrom.weather = in.get<double>();
+  m_waitingTo = in.get<double>();
   m_freshMass = in.getArray<double>();
   m_freshDepth = in.getArray<double>();
   if (!in.ok() || m_freshMass.size() != m_site.size() || m_freshDepth.size() != m_site.size()) return false;

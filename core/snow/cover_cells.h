@@ -29,13 +29,19 @@ class CoverCells {
   struct Fallen {
     double gained = 0.0;   ///< by altitude; may be negative
     double cleared = 0.0;  ///< by whoever keeps ground clear
+    double runoff = 0.0;   ///< rain, where no column takes it up
   };
   /// So much precipitation on open level ground, kg/m2, as snow of a density unless the columns decide.
-  Fallen fall(const SceneSnapshot& scene, double filmTime, const ExposureField& field, double fallen,
-              double density, CpuBackend& backend);
-  /// Advances the columns if what waits is long enough or has to be done; what crossed their borders.
-  SnowStepTotals advance(const SceneSnapshot& scene, const TimeSpan& span, double fallen, CpuBackend& backend,
-                         Isa isa);
+  Fallen fall(const SceneSnapshot& scene, double filmTime, const ExposureField& field,
+              const CoverWeather& weather, double fallen, double density, CpuBackend& backend);
+  /// What crossed the columns' borders, and the time for which they were advanced.
+  struct Advanced {
+    SnowStepTotals totals;
+    double seconds = 0.0;
+  };
+  /// Advances the columns if what waits is long enough or has to be done.
+  Advanced advance(const SceneSnapshot& scene, const TimeSpan& span, double fallen, CpuBackend& backend,
+                   Isa isa);
 
   /// What moves when snow moves along the ground, by cell; nothing waits (see waits()).
   struct Moving {
@@ -63,6 +69,8 @@ class CoverCells {
   void setSnow(std::size_t cell, double mass, double density, float temperature, float albedo);
   /// What painted layers say of a grid; null where it has none.
   const GroundLayers* layersOf(std::size_t grid) const;
+  /// Share of what falls on a cell that lies there as snow if no column decides.
+  double lyingShare(std::size_t cell, const CoverWeather& weather) const;
   double areaOf(std::size_t cell) const { return static_cast<double>(m_cells.setting(kCellArea)[cell]); }
 
   const SnowGround& m_ground;
@@ -74,6 +82,7 @@ class CoverCells {
   double m_waitingSeconds = 0.0;     ///< since then
   double m_waitingFallen = 0.0;      ///< kg/m2 on open level ground since then
   FrameTime m_waitingFrom;
+  double m_waitingTo = 0.0;  ///< s of weather
 };
 
 }  // namespace spin

@@ -142,18 +142,18 @@ class CoverProcess final : public Process {
     const double density = newSnowDensityOf(scene, weather.step, span.middleFilm());
     const double fallen = weather.precipitation * span.seconds();  // kg/m2
     const CoverCells::Fallen beyond =
-        m_cells->fall(scene, span.middleFilm(), *m_field, fallen, density, context.backend);
+        m_cells->fall(scene, span.middleFilm(), *m_field, weather, fallen, density, context.backend);
     bookFall(fallen);
     m_account.emitted += fallen * m_field->rates.emitted;
     m_account.gained += beyond.gained;
     m_account.cleared += beyond.cleared;
-    const SnowStepTotals totals = m_cells->advance(scene, span, fallen, context.backend, context.isa);
-    m_account.runoff += totals[SnowStepTotals::kRunoff];
+    const auto [totals, seconds] = m_cells->advance(scene, span, fallen, context.backend, context.isa);
+    m_account.runoff += beyond.runoff + totals[SnowStepTotals::kRunoff];
     m_account.sublimated += totals[SnowStepTotals::kSublimated];
     m_account.melted += totals[SnowStepTotals::kMelted];
     m_account.refrozen += totals[SnowStepTotals::kRefrozen];
     m_account.clamped += totals[SnowStepTotals::kClampedGrowth];
-    m_account.guardedSeconds += totals[SnowStepTotals::kGuardedArea] * span.seconds();
+    m_account.guardedSeconds += totals[SnowStepTotals::kGuardedArea] * seconds;
     m_account.waited += span.seconds();
     if (!m_cells->waits() && m_account.waited >= kMotionStep) moveSnow(scene, span.middleFilm(), context);
   }

@@ -1,6 +1,12 @@
 // SPDX-FileCopyrightText: 2026 Spindrift contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/snow/exposure_process.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "core/base/log.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/nodes/terrain_node.h"
@@ -9,6 +15,18 @@
 #include "core/snow/snow_processes.h"
 
 namespace spin {
+
+namespace {
+
+/// Maps of all directions are held at once.
+constexpr double kMostMapBytes = 1e9;
+
+/// Texels along maps that memory has room for.
+int largestMap(int directions) {
+  return static_cast<int>(std::sqrt(kMostMapBytes / (sizeof(float) * std::max(directions, 1))));
+}
+
+}  // namespace
 
 ExposureSettings exposureSettings(const SceneSnapshot& scene, double filmTime) {
   const SnowWeather weather = snowWeatherAt(scene, filmTime);
@@ -19,7 +37,7 @@ ExposureSettings exposureSettings(const SceneSnapshot& scene, double filmTime) {
   settings.rays = std::max(simulation.exposureRays, 1);
   if (simulation.exposureMethod == ExposureMethod::Maps)
     settings.mapDirections = std::clamp(simulation.exposureDirections, 1, settings.rays);
-  settings.mapSize = std::max(simulation.exposureMapSize, 64);
+  settings.mapSize = std::clamp(simulation.exposureMapSize, 64, largestMap(settings.mapDirections));
   settings.hold.holdsBelow = degreesToRadians(simulation.holdsBelowDegrees);
   settings.hold.shedsAbove =
       degreesToRadians(std::max(simulation.shedsAboveDegrees, simulation.holdsBelowDegrees));
@@ -68,10 +86,14 @@ class ExposureProcess final : public Process {
     frame.info.figures["fall_cone_deg"] = radiansToDegrees(m_field->cone.halfAngle);
   }
 
-  void saveState(ByteWriter&) const override {}
-  Status loadState(const SceneSnapshot& scene, ProcessContext& context, ByteReader&) override {
+  /// The field is made again from its time: a pause may keep it for many frames after it.
+  void saveState(ByteWriter& out) const override { out.put(m_filmTime); }
+  Status loadState(const SceneSnapshot& scene, ProcessContext& context, ByteReader& in) override {
     prepare(scene, context);
-    return {};
+    const double filmTime = in.get<double>();
+    if (!in.ok() || !std::isfinite(filmTime))
+      return badInput("The checkpoint could not be used", "exposure", "it does not tell the field's time");
+    return update(scene, filmTime, context);
   }
 
   void estimate(const SceneSnapshot& scene, double& stateBytes, double& frameBytes) const override {
@@ -93,6 +115,12 @@ class ExposureProcess final : public Process {
     context.exchange.emplace<SnowMotionPointer>(m_motion);
     m_ground = makeSnowGround(scene);
     for (const std::string& message : m_ground->messages) logWarning(message);
+    const auto simulation = scene.settings<SimulationNode>(0.0);
+    if (const int side = exposureSettings(scene, 0.0).mapSize; side < simulation.exposureMapSize)
+      logWarning(
+          fmt::format("Occlusion maps are {} texels wide instead of {}: {} directions of them would "
+                      "take more than {:g} GB",
+                      side, simulation.exposureMapSize, simulation.exposureDirections, kMostMapBytes / 1e9));
     context.exchange.emplace<SnowGroundPointer>(m_ground);
   }
 
@@ -100,6 +128,7 @@ class ExposureProcess final : public Process {
     const ExposureSettings settings = exposureSettings(scene, filmTime);
     const Hash128 places = placesOf(scene, filmTime);
     const bool moved = !m_places || !(places == *m_places);
+    m_filmTime = filmTime;
     if (m_field && !moved && settings == m_settings) return {};
     m_field = nullptr;  // it is of the past, also where this is cancelled
     std::optional<SnowScene> made = [&] {
@@ -123,6 +152,7 @@ class ExposureProcess final : public Process {
   SnowGroundPointer m_ground;
   ExposureFieldPointer m_field;
   ExposureSettings m_settings;  ///< of the field
+  double m_filmTime = 0.0;      ///< that it holds for, s
   std::optional<SnowSceneMaker> m_scenes;
   ExposureMemory m_memory;
   SnowMotionPointer m_motion;

@@ -44,6 +44,7 @@ class FallProcess final : public Process {
     const SnowWeather weather = snowWeatherAt(scene, 0.0);
     m_classes.assign(kFlakeClasses, {});
     m_gust = {};
+    m_filmTime = 0.0;
     for (std::size_t c = 0; c < m_classes.size(); ++c)
       m_classes[c].velocity = terminalVelocity(weather, speedOf(weather, c));
     return {};
@@ -51,6 +52,7 @@ class FallProcess final : public Process {
 
   Status step(const StepInput& input, ProcessContext&) override {
     const SnowWeather weather = snowWeatherAt(input.scene, middleFilm(input));
+    m_filmTime = input.to.film;
     const double h = input.to.film - input.from.film;
     if (!(h > 0.0)) return {};
     for (std::size_t c = 0; c < m_classes.size(); ++c) advance(m_classes[c], weather, speedOf(weather, c), h);
@@ -59,8 +61,9 @@ class FallProcess final : public Process {
     return {};
   }
 
-  void publish(const SceneSnapshot& scene, const FrameTime& time, Frame& frame) const override {
-    const SnowWeather weather = snowWeatherAt(scene, time.film);
+  void publish(const SceneSnapshot& scene, const FrameTime&, Frame& frame) const override {
+    // Flakes that a pause holds still hang in the weather in which it began.
+    const SnowWeather weather = snowWeatherAt(scene, m_filmTime);
     auto part = std::make_shared<FlakesPart>();
     FallingFlakes& flakes = part->flakes;
     flakes.seed = static_cast<std::uint64_t>(scene.settings<SimulationNode>(0.0).seed);
@@ -86,11 +89,13 @@ class FallProcess final : public Process {
   void saveState(ByteWriter& out) const override {
     out.putArray(m_classes);
     out.put(m_gust);
+    out.put(m_filmTime);
   }
   Status loadState(const SceneSnapshot&, ProcessContext&, ByteReader& in) override {
     m_classes = in.getArray<ClassState>();
     m_gust = in.get<GustState>();
-    if (!in.ok() || m_classes.size() != static_cast<std::size_t>(kFlakeClasses))
+    m_filmTime = in.get<double>();
+    if (!in.ok() || !std::isfinite(m_filmTime) || m_classes.size() != static_cast<std::size_t>(kFlakeClasses))
       return badInput("The checkpoint could not be used", "fall", "its flakes do not fit the scene");
     return {};
   }
@@ -154,6 +159,7 @@ class FallProcess final : public Process {
 
   std::vector<ClassState> m_classes;
   GustState m_gust;
+  double m_filmTime = 0.0;  ///< s, to which they were moved
 };
 
 }  // namespace

@@ -64,9 +64,6 @@ struct Gather {
   std::vector<std::array<std::uint32_t, 4>> points;
   std::optional<Occluders> occluders;  ///< for maps
   std::unique_ptr<MapRaster> raster;   ///< that draws them elsewhere
-
-  /// Texels beside a point that its comparison with a map asks.
-  double margin(double cellSize) const { return occluders ? 2.0 * cellSize : 0.01 * cellSize; }
 };
 
 /// Casts the rays of one cell: two dimensions of the net choose the point, two the direction.
@@ -173,6 +170,19 @@ struct AskedGrids {
   std::vector<CellMask> masks;
 };
 
+/// How far beside a cell its answer looks, m, by place: to where a ray starts off its surface, or as far as
+/// the comparison of its plane with a map's texels.
+std::vector<double> marginsOf(const Gather& gather, const std::vector<GridPlace>& places) {
+  const Vec3d corner = gather.scene.domain.max - gather.scene.centre;
+  std::vector<double> margins(places.size(), 4.0 * SnowScene::standOff(corner));
+  if (!gather.occluders) return margins;
+  const SharedMaps shared(places, gather.settings);
+  for (std::size_t first = 0; first < places.size(); first = shared.groupEnd(first))
+    for (std::size_t k = first; k < shared.groupEnd(first); ++k)
+      margins[k] += OcclusionMap::kReachInTexels * shared.largestTexel(first);
+  return margins;
+}
+
 /// Calls ask(place, mask, maps) for the grids of which something is asked. False when cancelled.
 template <class Ask>
 bool askGrids(const Gather& gather, const AskedGrids& grids, const Ask& ask) {
@@ -183,10 +193,9 @@ bool askGrids(const Gather& gather, const AskedGrids& grids, const Ask& ask) {
     if (wanted.empty()) continue;
     std::vector<OcclusionMap> maps;
     if (gather.occluders) {
-      const double beside = gather.margin(grids.places[first].cellSize);
       Box3d local;
-      local.extend(wanted.min - gather.scene.centre - Vec3d{beside, beside, beside});
-      local.extend(wanted.max - gather.scene.centre + Vec3d{beside, beside, beside});
+      local.extend(wanted.min - gather.scene.centre);
+      local.extend(wanted.max - gather.scene.centre);
       maps = shared.draw(first, local, *gather.occluders, gather.raster.get(), gather.workshop);
       if (gather.workshop.cancel.cancelled()) return false;
     }
@@ -214,6 +223,8 @@ std::vector<BlockTile> tilesOf(const Gather& gather, const LandBlocks& blocks, d
 
 AskedGrids terrainGrids(const Gather& gather, const SnowGround& ground, const Raster<float>& heights) {
   AskedGrids grids;
+  std::vector<LandBlocks> blocks;
+  std::vector<BlockTile> tiles;
   for (std::size_t t = 0; t < ground.terrain.size(); ++t) {
     const TerrainGrid& terrain = ground.terrain[t];
     const CoverGrid& cover = ground.layout->grids[terrain.grid];
@@ -222,16 +233,21 @@ AskedGrids terrainGrids(const Gather& gather, const SnowGround& ground, const Ra
     place.patch = t;
     place.cellSize = cover.base.cellSize;
     place.move = -gather.scene.centre;
-    const LandBlocks blocks(heights, terrain, cover);
-    for (const BlockTile& tile : tilesOf(gather, blocks, place.cellSize)) {
+    blocks.emplace_back(heights, terrain, cover);
+    for (const BlockTile& tile : tilesOf(gather, blocks.back(), place.cellSize)) {
       place.box = {};
       for (int row = tile.fromRow; row < tile.toRow; ++row)
         for (int column = tile.fromColumn; column < tile.toColumn; ++column)
-          place.box.extend(blocks.at(column, row));
+          place.box.extend(blocks.back().at(column, row));
       grids.places.push_back(place);
-      grids.masks.push_back(
-          CellMask::onLand(gather.change, gather.margin(place.cellSize), blocks, tile, cover));
+      tiles.push_back(tile);
     }
+  }
+  const std::vector<double> margins = marginsOf(gather, grids.places);
+  for (std::size_t k = 0; k < tiles.size(); ++k) {
+    const GridPlace& place = grids.places[k];
+    grids.masks.push_back(CellMask::onLand(gather.change, margins[k], blocks[place.patch], tiles[k],
+                                           ground.layout->grids[place.grid]));
   }
   return grids;
 }
@@ -250,10 +266,13 @@ AskedGrids patchGrids(const Gather& gather, const SnowGround& ground) {
       grids.places.push_back(place);
     }
   if (gather.occluders) sortForMaps(grids.places, gather.settings);
-  for (const GridPlace& place : grids.places)
-    grids.masks.push_back(CellMask::ofPatch(gather.change, gather.margin(place.cellSize), place.model,
+  const std::vector<double> margins = marginsOf(gather, grids.places);
+  for (std::size_t k = 0; k < grids.places.size(); ++k) {
+    const GridPlace& place = grids.places[k];
+    grids.masks.push_back(CellMask::ofPatch(gather.change, margins[k], place.model,
                                             place.moved(gather.scene.centre),
                                             ground.layout->grids[place.grid]));
+  }
   return grids;
 }
 

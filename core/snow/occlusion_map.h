@@ -62,6 +62,10 @@ struct MapView {
 /// plane, gives a share (percentage-closer filtering: Reeves, Salesin and Cook 1987).
 class OcclusionMap {
  public:
+  /// Texels that openness() looks away from a point at most, beside it and, by its plane's steepest slope
+  /// along both axes, in depth.
+  static constexpr double kReachInTexels = 18.0;
+
   /// Draws the triangles that lie in the view; the same bits whatever the number of threads.
   OcclusionMap(const Occluders& occluders, const MapView& view, CpuBackend& backend,
                const CancelToken& cancel = {});

@@ -26,7 +26,7 @@ Box3d GridPlace::moved(Vec3d offset) const {
 }
 
 SharedMaps::SharedMaps(const std::vector<GridPlace>& places, const ExposureSettings& settings)
-    : m_places(places), m_settings(settings), m_end(places.size(), 0) {
+    : m_places(places), m_settings(settings), m_end(places.size(), 0), m_diagonal(places.size(), 0.0) {
   for (std::size_t first = 0; first < places.size(); first = m_end[first]) {
     Box3d box = places[first].box;
     const double most = largest(places[first].cellSize, settings);
@@ -38,7 +38,12 @@ SharedMaps::SharedMaps(const std::vector<GridPlace>& places, const ExposureSetti
       box = joined;
     }
     m_end[first] = end;
+    m_diagonal[first] = length(box.size());
   }
+}
+
+double SharedMaps::largestTexel(std::size_t first) const {
+  return std::max(0.5 * m_places[first].cellSize, m_diagonal[first] / std::max(m_settings.mapSize - 4, 1));
 }
 
 std::vector<OcclusionMap> SharedMaps::draw(std::size_t first, const Box3d& wanted, const Occluders& occluders,

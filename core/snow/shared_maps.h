@@ -34,6 +34,8 @@ class SharedMaps {
   }
   /// Index behind the last place that shares the maps of `first`, the first one of its group.
   std::size_t groupEnd(std::size_t first) const { return m_end[first]; }
+  /// Size that a group's texels do not exceed, m, in any direction.
+  double largestTexel(std::size_t first) const;
   /// Draws the maps of a group as far as `wanted` (less the scene's centre) needs them, by a raster where
   /// there is one.
   std::vector<OcclusionMap> draw(std::size_t first, const Box3d& wanted, const Occluders& occluders,
@@ -43,6 +45,7 @@ class SharedMaps {
   const std::vector<GridPlace>& m_places;
   const ExposureSettings& m_settings;
   std::vector<std::size_t> m_end;  ///< by the first place of a group; 0 elsewhere
+  std::vector<double> m_diagonal;  ///< m, of the group's box, likewise
 };
 
 /// Sorts the patches of each model so that neighbours follow each other, for maps that they share.

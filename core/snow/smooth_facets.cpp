@@ -115,6 +115,7 @@ double massOn(const CoverGrid& grid, const std::vector<float>& held) {
 /// slope. Where a facet turns so far away that it says nothing about shelter, that of its surroundings over
 /// one quad counts.
 void smoothGrid(const CoverGrid& grid, int reach, const OpenDeposits& open, std::vector<float>& held) {
+  const std::vector<float> unsmoothed = held;
   std::vector<double> deposits(held.begin(), held.end());
   const AreaSums heldSums(grid.base.width, grid.base.height, deposits);
   const AreaSums openSums(grid.base.width, grid.base.height, open.facet);
@@ -129,8 +130,14 @@ void smoothGrid(const CoverGrid& grid, int reach, const OpenDeposits& open, std:
       held[c] = from > 0.0 ? static_cast<float>(std::min(arrived / from, 1.0) * open.smooth[c]) : 0.0f;
     }
   const double after = massOn(grid, held);
-  for (float& value : held)
-    value = after > 0.0 ? static_cast<float>(static_cast<double>(value) * (before / after)) : 0.0f;
+  // Where hardly a smooth slope holds what its facets hold, there is nothing to spread it over.
+  constexpr double kMostScale = 2.0;
+  if (!(after * kMostScale >= before)) {
+    held = unsmoothed;
+    return;
+  }
+  if (!(after > 0.0)) return;
+  for (float& value : held) value = static_cast<float>(static_cast<double>(value) * (before / after));
 }
 
 }  // namespace

@@ -155,6 +155,21 @@ TEST(CoverMelt, RainFallsBelowAndSnowAbove) {
   EXPECT_LT(std::abs(budget.relativeImbalance()), 1e-6);
 }
 
+TEST(CoverMelt, RainRunsOffAlsoWhereSnowLiesAsItFell) {
+  AgingScene test(CoverLaw::Lies);
+  test.snowfall.oldSnowDepth = 0.0;
+  test.weather.airTemperature = celsiusToKelvin(7.0);
+  test.weather.lapseRate = 0.0065;
+  test.weather.phase = PrecipitationPhase::ByTemperature;
+  test.weather.precipitationRate = 2.0 / 3600.0;
+  const Frame frame = framesOf(test.land(41, 5, 50.0, [](double x, double) { return 0.7 * x; }).build(), 12);
+  const std::size_t row = 41 * 2;
+  EXPECT_LT(sweAt(frame, row + 3), 0.5);
+  EXPECT_GT(sweAt(frame, row + 37), 15.0);
+  EXPECT_GT(frame.info.budget.get("runoff"), 0.0);
+  EXPECT_LT(std::abs(frame.info.budget.relativeImbalance()), 1e-6);
+}
+
 /// Eight plots side by side: four grounds, the eastern half of each colder.
 struct PlotScene : AgingScene {
   static constexpr int kPlot = 5;
@@ -373,6 +388,30 @@ TEST(MovedSnow, KeepsMassWaterAndHeat) {
     EXPECT_NEAR(after[1] + afterB[1], before[1] + beforeB[1], 1e-5);
     EXPECT_NEAR(after[2] + afterB[2], before[2] + beforeB[2], 0.5);
     EXPECT_NEAR(after[0], (1.0 - share) * before[0], 1e-5);
+  }
+}
+
+/// Dry snow blew off and a little that is moist slid in: a net loss that brings water.
+TEST(MovedSnow, ANetLossThatBringsWaterKeepsItsHeat) {
+  SnowColumn<float> column{};
+  column.snow[0] = {20.0f, 0.0f, 0.1f, -6.0f};
+  const double before = static_cast<double>(layerEnthalpy(column.snow[0]));
+  const MovedSnow change{-0.03, -6.0, 0.4, kIceHeat * 6.0 * 6.0 + kFusionHeat * 0.4};
+  takeFromColumn(column, change);
+  double after = 0.0;
+  for (const SnowLayer<float>& layer : column.snow) after += static_cast<double>(layerEnthalpy(layer));
+  EXPECT_NEAR(columnMass(column), 14.4, 1e-5);
+  EXPECT_NEAR(after, before + change.heat, 1.0);
+}
+
+TEST(CoverWeather, ARecordHoldsItsNearestValuesFarFromIt) {
+  const auto series = recordOf(10, -5.0, 0.001);
+  for (const double away : {-1e12, 1e12}) {
+    const double at = static_cast<double>(series->start) + away;
+    const WeatherRecord record = meanRecord(*series, at, at);
+    EXPECT_NEAR(record.airTemperature, 268.15, 1e-9);
+    EXPECT_NEAR(record.pressure, 87000.0, 1e-6);
+    EXPECT_EQ(record.snowfall, 0.0);
   }
 }
 
