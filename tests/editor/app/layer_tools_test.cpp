@@ -179,7 +179,8 @@ class LayerToolsTest : public QObject {
     const int before = f.steps();
     f.window.layers().filter();
 #ifndef SPIN_HAS_FILTERS
-    QSKIP("no filters are built");
+    QCOMPARE(f.steps(), before);
+    return;
 #endif
     QVERIFY(f.find<FilterDialog>("filterDialog"));
     f.find<QComboBox>("filterKind")->setCurrentIndex(2);
