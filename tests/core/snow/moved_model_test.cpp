@@ -138,7 +138,8 @@ TEST_P(MovedModel, FasterThanACellAStepLosesNothing) {
   const double open = 3.0 * 0.2;  // kg/m2 that fell
   EXPECT_NEAR(test::massOn(cover, top) / test::areaOf(cover, top), open, 0.1 * open);
   // Ground that it passed over in one step of three lost at most what that step brought.
-  for (const TerrainGrid& terrain : makeSnowGround(scene)->terrain) {
+  const SnowGroundPointer ground = makeSnowGround(scene);
+  for (const TerrainGrid& terrain : ground->terrain) {
     if (terrain.refinement > 0) continue;
     const Raster<float>& base = cover.layout->grids[terrain.grid].base;
     for (double k = 1.0; k <= 2.5; k += 0.5) {
