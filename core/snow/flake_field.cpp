@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/check.h"
 #include "core/base/random.h"
@@ -14,8 +15,6 @@ namespace {
 
 constexpr std::uint32_t kPlaceStream = 0x66616c6cu, kFlutterStream = 0x666c616bu;
 constexpr std::size_t kChunkBlocks = 128;
-/// Floats that a chunk may write: a pack is stored whole, whatever of it counts.
-constexpr std::size_t kChunkRoom = (kChunkBlocks + 1) * kFlakeBlock;
 
 /// x of the flake size whose mass is the mean of a share a .. b of all flakes, x = -log(1 - u): by it a few
 /// sizes carry the whole precipitation.
@@ -115,15 +114,14 @@ void setView(const FlakeView& from, FlakeLookView& view) {
 }  // namespace
 
 struct FlakeField::Seeds {
-  std::array<std::vector<std::int32_t>, 3> place;
-  std::array<std::vector<float>, kFlakeSeeds> seeds;
+  Columns<std::int32_t, 3> place;
+  Columns<float, kFlakeSeeds> seeds;
   std::vector<float> blockClass;
   struct Chunk {
     std::size_t group, begin, end;  ///< blocks
+    std::size_t firstFlake() const { return begin * kFlakeBlock; }
   };
   std::vector<Chunk> chunks;
-  /// What the chunks of a look write, each to kChunkRoom of its own; only what shows is touched.
-  std::array<std::unique_ptr<float[]>, kFlakeRecord> scratch;
 
   void addGroup(std::size_t group, std::uint32_t blocks) {
     const std::size_t first = blockClass.size();
@@ -162,10 +160,8 @@ FlakeField::FlakeField(std::uint64_t seed, const std::vector<FlakeGroup>& groups
     m_blocks.push_back(groups[g].blocks);
     m_seeds->addGroup(g, groups[g].blocks);
   }
-  for (auto& axis : m_seeds->place) axis.resize(m_size);
-  for (auto& values : m_seeds->seeds) values.resize(m_size);
-  for (auto& values : m_seeds->scratch)
-    values = std::make_unique_for_overwrite<float[]>(m_seeds->chunks.size() * kChunkRoom);
+  m_seeds->place.reserve(m_size);
+  m_seeds->seeds.reserve(m_size);
   CpuBackend backend;
   backend.forEach("flake seeds", m_size, [this](std::size_t k) { m_seeds->draw(m_seed, k); });
 }
@@ -199,42 +195,43 @@ void FlakeField::look(const FallingFlakes& flakes, const std::vector<FlakeGroup>
     centres.push_back(centresOf(flakes, rows, view.eye, group.box));
     FlakeLookView& in = views.emplace_back(base);
     setBorders(group, in);
-    for (std::size_t a = 0; a < 3; ++a) in.place[a] = m_seeds->place[a].data();
-    for (std::size_t v = 0; v < kFlakeSeeds; ++v) in.seeds[v] = m_seeds->seeds[v].data();
+    for (std::size_t a = 0; a < 3; ++a) in.place[a] = m_seeds->place[a];
+    for (std::size_t v = 0; v < kFlakeSeeds; ++v) in.seeds[v] = m_seeds->seeds[v];
     in.blockClass = m_seeds->blockClass.data();
     in.rows = rows.data();
   }
   for (std::size_t g = 0; g < views.size(); ++g) views[g].centre = centres[g].data();
   const FlakeLook loop = flakeLookFor(isa);
+  seen.values.reserve(m_size);
   std::vector<std::size_t> counts(m_seeds->chunks.size());
   backend.forEach(
       "flakes", counts.size(),
       [&](std::size_t c) {
         const Seeds::Chunk& chunk = m_seeds->chunks[c];
         FlakeLookView in = views[chunk.group];
-        for (std::size_t k = 0; k < kFlakeRecord; ++k) in.out[k] = m_seeds->scratch[k].get() + c * kChunkRoom;
+        // A chunk writes to the places of its own flakes: packs are stored whole, but never ahead of it.
+        for (std::size_t k = 0; k < kFlakeRecord; ++k) in.out[k] = seen.values[k] + chunk.firstFlake();
         counts[c] = loop(in, chunk.begin, chunk.end);
       },
       1);
-  merge(counts, backend, seen);
+  close(counts, backend, seen);
 }
 
-void FlakeField::merge(const std::vector<std::size_t>& counts, CpuBackend& backend,
+/// Moves what the chunks wrote together, in order.
+void FlakeField::close(const std::vector<std::size_t>& counts, CpuBackend& backend,
                        FlakeRecords& seen) const {
-  std::vector<std::size_t> starts(counts.size() + 1, 0);
-  for (std::size_t c = 0; c < counts.size(); ++c) starts[c + 1] = starts[c] + counts[c];
-  seen.count = starts.back();
-  for (auto& values : seen.values)
-    if (values.size() < seen.count) values.resize(seen.count);
   backend.forEach(
-      "flakes seen", counts.size(),
-      [&](std::size_t c) {
-        for (std::size_t k = 0; k < kFlakeRecord; ++k) {
-          const float* from = m_seeds->scratch[k].get() + c * kChunkRoom;
-          std::copy(from, from + counts[c], seen.values[k].data() + starts[c]);
+      "flakes seen", kFlakeRecord,
+      [&](std::size_t k) {
+        float* const values = seen.values[k];
+        std::size_t to = 0;
+        for (std::size_t c = 0; c < counts.size(); to += counts[c++]) {
+          const float* from = values + m_seeds->chunks[c].firstFlake();
+          if (from != values + to) std::copy(from, from + counts[c], values + to);
         }
       },
       1);
+  seen.count = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
 FlakeClass flakeAt(const FallingFlakes& flakes, double place) {

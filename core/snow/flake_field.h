@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "core/base/columns.h"
 #include "core/base/cpu_features.h"
 #include "core/base/parallel.h"
 #include "core/fields/particles.h"
@@ -28,10 +29,10 @@ struct FlakeView {
 /// Flakes as seen from a place, array by array (FlakeField's order): only those that show.
 struct FlakeRecords {
   std::size_t count = 0;
-  std::array<std::vector<float>, kFlakeRecord> values;  ///< by FlakeValue; at least `count` long
+  Columns<float, kFlakeRecord> values;  ///< by FlakeValue; `count` of each are set
 
-  const std::vector<float>& operator[](FlakeValue value) const {
-    return values[static_cast<std::size_t>(value)];
+  std::span<const float> operator[](FlakeValue value) const {
+    return {values[static_cast<std::size_t>(value)], count};
   }
 };
 
@@ -56,7 +57,7 @@ class FlakeField {
 
  private:
   struct Seeds;
-  void merge(const std::vector<std::size_t>& counts, CpuBackend& backend, FlakeRecords& seen) const;
+  void close(const std::vector<std::size_t>& counts, CpuBackend& backend, FlakeRecords& seen) const;
 
   std::uint64_t m_seed = 0;
   std::vector<std::uint32_t> m_blocks;  ///< by group

@@ -70,14 +70,10 @@ SPIN_HD_INLINE std::uint32_t inFrustum(const FlakeLookView& view, const GustPoin
   return lessBits(x, margin) & lessBits(y, margin) & lessBits(Pack(0.0f), depth);
 }
 
-SPIN_HD_INLINE void blow(const FlakeLookView& view, const FlakeRow& row, GustPoint<Pack>& p) {
-  for (int m = 0; m < view.waveCount; ++m) {
-    const FlakeWave& w = view.waves[m];
-    const float reach = row.reach[m];
-    followGust(
-        p, GustPush<Pack>{Pack(w.wave[0]), Pack(w.wave[1]), Pack(w.wave[2]), Pack(w.push[0] * reach),
-                          Pack(w.push[1] * reach), Pack(w.push[2] * reach), Pack(w.phase), Pack(w.turning)});
-  }
+SPIN_HD_INLINE void blow(const FlakeWave& w, float reach, GustPoint<Pack>& p) {
+  followGust(
+      p, GustPush<Pack>{Pack(w.wave[0]), Pack(w.wave[1]), Pack(w.wave[2]), Pack(w.push[0] * reach),
+                        Pack(w.push[1] * reach), Pack(w.push[2] * reach), Pack(w.phase), Pack(w.turning)});
 }
 
 /// Adds the flutter and returns the turns of the main swing.
@@ -99,21 +95,26 @@ SPIN_HD_INLINE Pack swing(const FlakeLookView& view, const FlakeRow& row, std::s
   return turns1;
 }
 
-SPIN_HD_INLINE std::size_t lookAtPack(const FlakeLookView& view, const BlockMotion& m, std::size_t i,
-                                      std::size_t at) {
+/// Where the flakes of a pack are before any gust, from the eye.
+SPIN_HD_INLINE GustPoint<Pack> startOf(const FlakeLookView& view, const BlockMotion& m, std::size_t i,
+                                       Pack& distance) {
   const FlakeRow& row = m.row;
   const Pack box(view.box), unit(2.3283064e-10f);  // 2^-32
   Pack u[3];
   for (std::size_t axis = 0; axis < 3; ++axis)
     u[axis] = toFloat(IntPack::load(view.place[axis] + i) - IntPack(m.centre[axis])) * unit;
-  const Pack distance = squareRoot(mulAdd(u[0], u[0], mulAdd(u[1], u[1], u[2] * u[2]))) * box;
-  GustPoint<Pack> p{mulAdd(u[0], box, Pack(row.back[0])),
-                    mulAdd(u[1], box, Pack(row.back[1])),
-                    mulAdd(u[2], box, Pack(row.back[2])),
-                    Pack(row.velocity[0]),
-                    Pack(row.velocity[1]),
-                    Pack(row.velocity[2])};
-  blow(view, row, p);
+  distance = squareRoot(mulAdd(u[0], u[0], mulAdd(u[1], u[1], u[2] * u[2]))) * box;
+  return {mulAdd(u[0], box, Pack(row.back[0])),
+          mulAdd(u[1], box, Pack(row.back[1])),
+          mulAdd(u[2], box, Pack(row.back[2])),
+          Pack(row.velocity[0]),
+          Pack(row.velocity[1]),
+          Pack(row.velocity[2])};
+}
+
+/// Lets the blown flakes of a pack swing and writes those that show to `at`; returns their number.
+SPIN_HD_INLINE std::size_t tellPack(const FlakeLookView& view, const FlakeRow& row, std::size_t i,
+                                    Pack distance, GustPoint<Pack> p, std::size_t at) {
   const Pack turns = swing(view, row, i, p), character = Pack::load(view.seeds[7] + i);
   const Pack fade = fadeOf(view, distance);
   // The character's last digits choose the share, so that it does not go with what the flake looks like.
@@ -139,13 +140,40 @@ SPIN_HD_INLINE std::size_t lookAtPack(const FlakeLookView& view, const BlockMoti
   return keep.count();
 }
 
+/// Two packs at once: a wave waits for the one before, so the processor works on the other pack meanwhile.
+SPIN_HD_INLINE std::size_t lookAtPair(const FlakeLookView& view, const BlockMotion& a, const BlockMotion& b,
+                                      std::size_t i, std::size_t at) {
+  Pack distanceA, distanceB;
+  GustPoint<Pack> p = startOf(view, a, i, distanceA), q = startOf(view, b, i + kLanes, distanceB);
+  for (int m = 0; m < view.waveCount; ++m) {
+    blow(view.waves[m], a.row.reach[m], p);
+    blow(view.waves[m], b.row.reach[m], q);
+  }
+  const std::size_t first = tellPack(view, a.row, i, distanceA, p, at);
+  return first + tellPack(view, b.row, i + kLanes, distanceB, q, at + first);
+}
+
+SPIN_HD_INLINE std::size_t lookAtPack(const FlakeLookView& view, const BlockMotion& a, std::size_t i,
+                                      std::size_t at) {
+  Pack distance;
+  GustPoint<Pack> p = startOf(view, a, i, distance);
+  for (int m = 0; m < view.waveCount; ++m) blow(view.waves[m], a.row.reach[m], p);
+  return tellPack(view, a.row, i, distance, p, at);
+}
+
 std::size_t lookAtFlakes(const FlakeLookView& flakes, std::size_t begin, std::size_t end) {
   const FlakeLookView view = flakes;  // a copy that no store can reach
-  std::size_t count = 0;
-  for (std::size_t block = begin; block < end; ++block) {
-    const BlockMotion motion = motionOf(view, block);
-    for (std::size_t lane = 0; lane < kFlakeBlock; lane += kLanes)
-      count += lookAtPack(view, motion, block * kFlakeBlock + lane, count);
+  std::size_t count = 0, block = begin;
+  if constexpr (kFlakeBlock == kLanes) {
+    for (; block + 1 < end; block += 2)
+      count += lookAtPair(view, motionOf(view, block), motionOf(view, block + 1), block * kFlakeBlock, count);
+    if (block < end) count += lookAtPack(view, motionOf(view, block), block * kFlakeBlock, count);
+  } else {
+    for (; block < end; ++block) {
+      const BlockMotion motion = motionOf(view, block);
+      for (std::size_t lane = 0; lane < kFlakeBlock; lane += 2 * kLanes)
+        count += lookAtPair(view, motion, motion, block * kFlakeBlock + lane, count);
+    }
   }
   return count;
 }

@@ -104,7 +104,7 @@ void FlakePass::uploadSeen() {
   const std::size_t bytes = m_seen.count * sizeof(float);
   for (std::size_t k = 0; k < kFlakeRecord; ++k)
     glNamedBufferSubData(m_records.id(), static_cast<GLintptr>(k * bytes), static_cast<GLsizeiptr>(bytes),
-                         m_seen.values[k].data());
+                         m_seen.values[k]);
   growIndices(m_seen.count);
 }
 
