@@ -86,10 +86,15 @@ std::vector<std::array<double, 3>> centresOf(const FallingFlakes& flakes, const 
   return centres;
 }
 
-void setBorders(const FlakeGroup& group, FlakeLookView& view) {
+void setGroup(const FlakeGroup& group, const FlakeView& from, FlakeLookView& view) {
   const auto at = [](double v) { return static_cast<float>(v); };
   view.box = at(group.box);
-  view.weight = at(group.weight);
+  // In light snow a group has more flakes than there are: only as many are shown, each of its own size.
+  const double real = from.leastFade < 0.0 ? 1.0 : std::min(group.weight, 1.0);
+  view.weight = at(group.weight / real);
+  // Ranks lie in 0..1, both included.
+  const double share = from.share * real;
+  view.share = share < 1.0 ? at(share) : 2.0f;
   // Without a border in front all distances lie beyond it.
   view.nearFrom = group.nearest > 0.0 ? at(group.nearest * (1.0 - kGroupBlend)) : -2.0f;
   view.nearTo = group.nearest > 0.0 ? at(group.nearest * (1.0 + kGroupBlend)) : -1.0f;
@@ -106,8 +111,6 @@ void setView(const FlakeView& from, FlakeLookView& view) {
   view.frustum = from.tangentX > 0.0 && from.tangentY > 0.0;
   view.tangentX = static_cast<float>(from.tangentX);
   view.tangentY = static_cast<float>(from.tangentY);
-  // Ranks lie in 0..1, both included.
-  view.share = from.share < 1.0 ? static_cast<float>(from.share) : 2.0f;
   view.leastFade = static_cast<float>(from.leastFade);
 }
 
@@ -194,7 +197,7 @@ void FlakeField::look(const FallingFlakes& flakes, const std::vector<FlakeGroup>
   for (const FlakeGroup& group : groups) {
     centres.push_back(centresOf(flakes, rows, view.eye, group.box));
     FlakeLookView& in = views.emplace_back(base);
-    setBorders(group, in);
+    setGroup(group, view, in);
     for (std::size_t a = 0; a < 3; ++a) in.place[a] = m_seeds->place[a];
     for (std::size_t v = 0; v < kFlakeSeeds; ++v) in.seeds[v] = m_seeds->seeds[v];
     in.blockClass = m_seeds->blockClass.data();
