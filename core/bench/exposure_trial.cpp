@@ -135,11 +135,13 @@ void addErrors(const std::vector<double>& references, const std::vector<Probe>& 
                const ExposureField& field, bool barred, bool byKind, BenchRow& row) {
   std::vector<double> errors;
   std::array<std::vector<double>, 4> ofKind;
+  std::array<double, 4> surplus{};
   std::size_t shaded = 0;
   for (std::size_t k = 0; k < probes.size(); ++k) {
     const auto cover = static_cast<double>(field.grids[probes[k].grid].exposure[probes[k].cell]);
     errors.push_back(std::abs(cover - references[k]));
     ofKind[probes[k].kind].push_back(errors.back());
+    surplus[probes[k].kind] += cover - references[k];
     shaded += references[k] > 0.02 && references[k] < 0.98 ? 1u : 0u;
   }
   std::sort(errors.begin(), errors.end());
@@ -157,6 +159,8 @@ void addErrors(const std::vector<double>& references, const std::vector<Probe>& 
     if (ofKind[kind].empty()) continue;
     row.addFigure(fmt::format("points_{}", kKinds[kind]), static_cast<double>(ofKind[kind].size()), "1");
     row.addFigure(fmt::format("rmse_{}", kKinds[kind]), rootMeanSquare(ofKind[kind]), "1");
+    row.addFigure(fmt::format("bias_{}", kKinds[kind]),
+                  surplus[kind] / static_cast<double>(ofKind[kind].size()), "1");
   }
 }
 

@@ -205,8 +205,11 @@ double OcclusionMap::openness(Vec3d point, Vec3d normal) const {
     return std::clamp(dot(normal, axis) / towards, -kSteepest, kSteepest) * m_view.texel;
   };
   const double du = slope(m_view.frame.s), dv = slope(m_view.frame.t);
-  // Facets beside the point's own may rise a little above its plane.
-  const double bias = 0.1 * m_view.texel + 1e-6 * std::abs(own);
+  // Facets beside the point's own may lean towards the sky by about kLean more than its plane: what that is
+  // in depth grows as the square of the slope across the fall.
+  constexpr double kLean = 0.1, kMost = 1.0;
+  const double steep = (du * du + dv * dv) / (m_view.texel * m_view.texel);
+  const double bias = m_view.texel * std::min(kLean * (1.0 + steep), kMost) + 1e-6 * std::abs(own);
   const double fu = u - floorU, fv = v - floorV;
   double open = 0.0;
   for (int corner = 0; corner < 4; ++corner) {

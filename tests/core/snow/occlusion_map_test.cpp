@@ -137,6 +137,38 @@ TEST(OcclusionMap, ExposureByMapsIsThatByRays) {
       << "the hut shelters the fine ground beside it";
 }
 
+/// Facets of rough ground lean towards the sky beside a point; under slanting snow that is much in depth.
+TEST(OcclusionMap, RoughGroundIsNotDarkenedByItsOwnFacets) {
+  TestScene test;
+  const CounterRandom random{5, 1};
+  test.land(41, 41, 5.0, [&](double x, double y) {
+    return 0.1 * x + 12.0 * std::sin(x / 25.0) * std::cos(y / 31.0) +
+           0.6 * random.uniformDouble(static_cast<std::uint64_t>(x * 1000.0 + y));
+  });
+  test.snowfall.fallSpreadDegrees = 15.0;
+  test.weather.windSpeed = 3.0;
+  test.simulation.exposureRays = 256;
+  const Drawn drawn(test.build());
+  CpuBackend backend(2);
+  const CancelToken cancel;
+  ExposureSettings settings = exposureSettings(drawn.snapshot, 0.0);
+  const Workshop workshop{backend, cancel, {}};
+  const auto rays = makeExposureField(drawn.snapshot, *drawn.ground, drawn.scene, settings, workshop);
+  settings.mapDirections = 64;
+  const auto maps = makeExposureField(drawn.snapshot, *drawn.ground, drawn.scene, settings, workshop);
+  ASSERT_TRUE(rays && maps);
+  double surplus = 0.0, squares = 0.0;
+  const std::vector<float>&seen = maps->grids[0].exposure, &cast = rays->grids[0].exposure;
+  for (std::size_t c = 0; c < seen.size(); ++c) {
+    const double error = static_cast<double>(seen[c] - cast[c]);
+    surplus += error, squares += error * error;
+  }
+  const auto cells = static_cast<double>(seen.size());
+  EXPECT_LT(std::abs(surplus / cells), 0.02);
+  EXPECT_LT(std::sqrt(squares / cells), 0.04);
+  EXPECT_LT(*std::min_element(cast.begin(), cast.end()), 0.7f) << "some lies in the lee";
+}
+
 TEST(OcclusionMap, NothingToDrawIsOpen) {
   TestScene test;
   const Drawn drawn(test.land(4, 4, 2.0, [](double, double) { return 0.0; }).build());
