@@ -75,7 +75,7 @@ class Storm {
 
   void turnTo(Vec2d wind) {
     const auto start = std::chrono::steady_clock::now();
-    m_wind = groundWind(*ground.graph, m_field, m_obstacles, wind, m_drift.roughness, m_shelter, m_backend);
+    m_wind = groundWind(*ground.graph, *m_field, m_obstacles, wind, m_drift.roughness, m_shelter, m_backend);
     times.shelter = secondsSince(start);
   }
 
@@ -96,7 +96,7 @@ class Storm {
   Ground ground;
   Times times;
   std::size_t unsettled = 0;
-  const WindField& field() const { return m_field; }
+  const WindField& field() const { return *m_field; }
 
  private:
   void slide(const CarriedSnow& snow) {
@@ -126,7 +126,7 @@ class Storm {
   CpuBackend m_backend;
   SnowGroundPointer m_ground;
   WindObstacles m_obstacles;
-  WindField m_field;
+  std::optional<WindField> m_field;
   GroundWind m_wind;
   ShelterSettings m_shelter;
   DriftSettings m_drift;

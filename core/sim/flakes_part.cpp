@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sim/shared_registry.h"
+
 namespace spin {
 namespace {
 
@@ -33,6 +35,17 @@ void FlakesPart::save(ByteWriter& out) const {
   out.put(flakes.gust);
   out.put(flakes.wind);
   for (const double v : {flakes.numberDensity, flakes.extinction, flakes.cover}) out.put(v);
+  out.put(static_cast<std::uint8_t>(flakes.landWind ? 1 : 0));
+  if (flakes.landWind) out.put(registryOf<WindTable>().keyOf(flakes.landWind));
+}
+
+std::vector<Hash128> FlakesPart::sharedKeys() const {
+  if (!flakes.landWind) return {};
+  return {registryOf<WindTable>().keyOf(flakes.landWind)};
+}
+
+void FlakesPart::saveShared(const Hash128&, ByteWriter& out) const {
+  putShared(*flakes.landWind, out);
 }
 
 std::shared_ptr<FramePart> FlakesPart::load(ByteReader& in) {
@@ -46,6 +59,10 @@ std::shared_ptr<FramePart> FlakesPart::load(ByteReader& in) {
   f.gust = in.get<GustState>();
   f.wind = in.get<Vec3d>();
   for (double* v : {&f.numberDensity, &f.extinction, &f.cover}) *v = in.get<double>();
+  if (in.get<std::uint8_t>() != 0) {
+    f.landWind = registryOf<WindTable>().find(in.get<Hash128>());
+    if (!f.landWind) return nullptr;
+  }
   const bool known = law <= static_cast<std::uint8_t>(FlutterLaw::Decaying);
   const bool whole = f.classes.size() == static_cast<std::size_t>(kFlakeClasses) && f.gustLength > 0.0;
   return in.ok() && known && whole ? part : nullptr;

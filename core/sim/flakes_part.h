@@ -5,6 +5,7 @@
 #include "core/physics/flutter.h"
 #include "core/physics/gust.h"
 #include "core/sim/frame.h"
+#include "core/sim/wind_table.h"
 
 namespace spin {
 
@@ -29,10 +30,11 @@ struct FallingFlakes {
   FlutterLaw flutter = FlutterLaw::Steady;
   double gustLength = 25.0;  ///< m
   GustState gust;
-  Vec3d wind{};                ///< mean wind, m/s
-  double numberDensity = 0.0;  ///< real flakes per m3; 0 = nothing falls
-  double extinction = 0.0;     ///< of the real flakes, 1/m
-  double cover = 0.0;          ///< share of the circle round it that a flake hides, so that all hide that
+  Vec3d wind{};                               ///< mean wind, m/s
+  std::shared_ptr<const WindTable> landWind;  ///< what land and models change of it; null: nothing
+  double numberDensity = 0.0;                 ///< real flakes per m3; 0 = nothing falls
+  double extinction = 0.0;                    ///< of the real flakes, 1/m
+  double cover = 0.0;  ///< share of the circle round it that a flake hides, so that all hide that
 };
 
 /// Place of a flake among the classes, 0 .. kFlakeClasses - 1, by x = -log(1 - u), u the share of smaller
@@ -49,6 +51,9 @@ struct FlakesPart final : FramePart {
   std::size_t memoryBytes() const override;
   void save(ByteWriter& out) const override;
   std::string firstNonFinite() const override;
+  std::vector<Hash128> sharedKeys() const override;
+  void saveShared(const Hash128& key, ByteWriter& out) const override;
+  /// Finds the wind over land by its key among those in use; null if it is not there.
   static std::shared_ptr<FramePart> load(ByteReader& in);
 };
 

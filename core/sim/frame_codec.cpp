@@ -20,7 +20,7 @@ struct PartRegistry {
   std::map<std::string, Loaders> kinds{{ParticlePart::kKind, {&ParticlePart::load, nullptr}},
                                        {CoverPart::kKind, {&CoverPart::load, &loadCoverShared}},
                                        {BodiesPart::kKind, {&BodiesPart::load, nullptr}},
-                                       {FlakesPart::kKind, {&FlakesPart::load, nullptr}}};
+                                       {FlakesPart::kKind, {&FlakesPart::load, &loadWindTable}}};
 };
 
 PartRegistry& partRegistry() {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
 
 #include "core/sim/frame.h"
+#include "core/sim/shared_registry.h"
 
 namespace spin {
 namespace {
@@ -22,54 +22,6 @@ std::size_t firstBad(const Range& values) {
 
 /// What follows in shared data.
 enum class SharedKind : std::uint8_t { Layout = 0, Exposure = 1 };
-
-void putShared(const CoverLayout& layout, ByteWriter& out);
-void putShared(const CoverExposure& exposure, ByteWriter& out);
-
-/// Shared data in use by content, and keys by address so that each is hashed once.
-template <class T>
-class SharedRegistry {
- public:
-  Hash128 keyOf(const std::shared_ptr<const T>& data) {
-    {
-      std::lock_guard lock(m_mutex);
-      const auto known = m_keys.find(data.get());
-      if (known != m_keys.end() && known->second.first.lock() == data) return known->second.second;
-    }
-    ByteWriter out;
-    putShared(*data, out);
-    const Hash128 key = Hasher().addBytes(out.bytes().data(), out.bytes().size()).digest();
-    std::lock_guard lock(m_mutex);
-    std::erase_if(m_byKey, [](const auto& entry) { return entry.second.expired(); });
-    std::erase_if(m_keys, [](const auto& entry) { return entry.second.first.expired(); });
-    m_keys[data.get()] = {data, key};
-    return key;
-  }
-  std::shared_ptr<const T> intern(std::shared_ptr<const T> data) {
-    const Hash128 key = keyOf(data);
-    std::lock_guard lock(m_mutex);
-    auto& entry = m_byKey[key];
-    if (auto inUse = entry.lock()) return inUse;
-    entry = data;
-    return data;
-  }
-  std::shared_ptr<const T> find(const Hash128& key) {
-    std::lock_guard lock(m_mutex);
-    const auto entry = m_byKey.find(key);
-    return entry == m_byKey.end() ? nullptr : entry->second.lock();
-  }
-
- private:
-  std::mutex m_mutex;
-  std::map<Hash128, std::weak_ptr<const T>> m_byKey;
-  std::map<const T*, std::pair<std::weak_ptr<const T>, Hash128>> m_keys;
-};
-
-template <class T>
-SharedRegistry<T>& registryOf() {
-  static SharedRegistry<T> registry;
-  return registry;
-}
 
 void putRaster(ByteWriter& out, const Raster<float>& raster) {
   out.put(raster.width);
@@ -92,6 +44,8 @@ bool getRaster(ByteReader& in, Raster<float>& raster) {
          static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
 }
 
+}  // namespace
+
 void putShared(const CoverLayout& layout, ByteWriter& out) {
   out.put(SharedKind::Layout);
   out.put(static_cast<std::uint64_t>(layout.grids.size()));
@@ -108,6 +62,8 @@ void putShared(const CoverExposure& exposure, ByteWriter& out) {
   out.put(static_cast<std::uint64_t>(exposure.grids.size()));
   for (const std::vector<float>& grid : exposure.grids) out.putArray(grid);
 }
+
+namespace {
 
 std::shared_ptr<const void> loadLayout(ByteReader& in) {
   auto layout = std::make_shared<CoverLayout>();

@@ -114,6 +114,29 @@ void setView(const FlakeView& from, FlakeLookView& view) {
   view.leastFade = static_cast<float>(from.leastFade);
 }
 
+/// A flake may reach a little way in from outside, and be blown in.
+double marginOf(const FlakeView& view, Vec3d eye, const std::vector<FlakeGroup>& groups) {
+  constexpr double kReach = 0.1;  // m
+  return view.wind ? kReach + view.wind->spread(eye, 0.5 * groups.back().box) : kReach;
+}
+
+/// Takes flakes that were seen from a place without the wind round land to where they are with it, as seen
+/// from the eye.
+void blowRoundLand(const FlakeView& view, Vec3d place, CpuBackend& backend, FlakeRecords& seen) {
+  const Vec3d apart = place - view.eye;
+  float* const at[] = {seen.values[0], seen.values[1], seen.values[2]};
+  float* const velocity[] = {seen.values[3], seen.values[4], seen.values[5]};
+  backend.forEach("flakes round land", seen.count, [&](std::size_t k) {
+    const Vec3d p = place + Vec3f{at[0][k], at[1][k], at[2][k]}.to<double>();
+    const Vec3d v = Vec3f{velocity[0][k], velocity[1][k], velocity[2][k]}.to<double>();
+    const Vec3d moved = view.wind->shiftAt(p) + apart, faster = view.wind->velocityAt(p, v);
+    for (int axis = 0; axis < 3; ++axis) {
+      at[axis][k] += static_cast<float>(moved[axis]);
+      velocity[axis][k] += static_cast<float>(faster[axis]);
+    }
+  });
+}
+
 }  // namespace
 
 struct FlakeField::Seeds {
@@ -185,17 +208,19 @@ void FlakeField::look(const FallingFlakes& flakes, const std::vector<FlakeGroup>
   SPIN_CHECK(fits(flakes.seed, groups), "the flakes are of another field");
   SPIN_CHECK(flakes.classes.size() == static_cast<std::size_t>(kFlakeClasses), "flakes without classes");
   const GustModes modes = makeGustModes(flakes.seed, flakes.gustLength);
+  const Vec3d eye = view.wind ? view.wind->before(view.eye) : view.eye;
   FlakeLookView base{};
-  base.waveCount = wavesAt(flakes, modes, view.eye, base.waves);
+  base.waveCount = wavesAt(flakes, modes, eye, base.waves);
   base.decaying = flakes.flutter == FlutterLaw::Decaying;
   setView(view, base);
+  base.margin = static_cast<float>(marginOf(view, eye, groups));
   std::vector<FlakeRow> rows;
   for (const FlakeClass& c : flakes.classes)
     rows.push_back(rowOf(c, flakes, modes, base.waves, base.waveCount));
   std::vector<std::vector<std::array<double, 3>>> centres;
   std::vector<FlakeLookView> views;
   for (const FlakeGroup& group : groups) {
-    centres.push_back(centresOf(flakes, rows, view.eye, group.box));
+    centres.push_back(centresOf(flakes, rows, eye, group.box));
     FlakeLookView& in = views.emplace_back(base);
     setGroup(group, view, in);
     for (std::size_t a = 0; a < 3; ++a) in.place[a] = m_seeds->place[a];
@@ -218,6 +243,7 @@ void FlakeField::look(const FallingFlakes& flakes, const std::vector<FlakeGroup>
       },
       1);
   close(counts, backend, seen);
+  if (view.wind) blowRoundLand(view, eye, backend, seen);
 }
 
 /// Moves what the chunks wrote together, in order.
@@ -258,7 +284,11 @@ ParticleSet flakesAround(const FallingFlakes& flakes, const SnowfallNode& snowfa
   if (groups.empty() || !(flakes.numberDensity > 0.0)) return set;
   const FlakeField field(flakes.seed, groups);
   FlakeRecords seen;
-  field.look(flakes, groups, {eye}, backend, seen);
+  const std::shared_ptr<const FallWind> wind = FallWind::of(flakes, backend);
+  FlakeView view;
+  view.eye = eye;
+  view.wind = wind.get();
+  field.look(flakes, groups, view, backend, seen);
   for (std::size_t k = 0; k < seen.count; ++k) {
     const auto value = [&](FlakeValue v) { return seen[v][k]; };
     const auto id = static_cast<std::size_t>(value(FlakeValue::Number));

@@ -11,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/fields/particles.h"
 #include "core/sim/flakes_part.h"
+#include "core/snow/fall_wind.h"
 #include "core/snow/flake_groups.h"
 #include "core/snow/flake_look.h"
 
@@ -23,6 +24,7 @@ struct FlakeView {
   double tangentX = 0.0, tangentY = 0.0;  ///< of half the angles of view, with a margin; 0 = no frustum
   double share = 1.0;                     ///< of the flakes to show, 0..1
   double leastFade = 1e-3;                ///< fainter flakes do not count; < 0 = all flakes do, in order
+  const FallWind* wind = nullptr;         ///< round land and models, of the frame's flakes; null = none
   bool operator==(const FlakeView&) const = default;
 };
 

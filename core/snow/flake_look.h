@@ -63,6 +63,7 @@ struct FlakeLookView {
   float nearFrom = 0.0f, nearTo = 0.0f, farFrom = 0.0f, farTo = 0.0f;  ///< borders, m
   bool frustum = false;
   float forward[3], right[3], up[3], tangentX = 0.0f, tangentY = 0.0f;
+  float margin = 0.1f;  ///< m, by which flakes outside the frustum still count
   float share = 1.0f, leastFade = 1e-3f;
   float* out[kFlakeRecord];  ///< of the chunk
 };

@@ -62,12 +62,12 @@ SPIN_HD_INLINE Pack along(const float* axis, const GustPoint<Pack>& p) {
   return mulAdd(Pack(axis[0]), p.x, mulAdd(Pack(axis[1]), p.y, Pack(axis[2]) * p.z));
 }
 
-/// Bits of the lanes in view; a flake may reach a little way in from outside.
+/// Bits of the lanes in view.
 SPIN_HD_INLINE std::uint32_t inFrustum(const FlakeLookView& view, const GustPoint<Pack>& p) {
-  const Pack depth = along(view.forward, p), margin = Pack(0.1f);
+  const Pack depth = along(view.forward, p), margin = Pack(view.margin);
   const Pack x = magnitude(along(view.right, p)) - depth * Pack(view.tangentX);
   const Pack y = magnitude(along(view.up, p)) - depth * Pack(view.tangentY);
-  return lessBits(x, margin) & lessBits(y, margin) & lessBits(Pack(0.0f), depth);
+  return lessBits(x, margin) & lessBits(y, margin) & lessBits(-margin, depth);
 }
 
 SPIN_HD_INLINE void blow(const FlakeWave& w, float reach, GustPoint<Pack>& p) {

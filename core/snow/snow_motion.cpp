@@ -22,14 +22,6 @@ void add(std::vector<double>& sums, const std::vector<double>& more) {
   for (std::size_t q = 0; q < sums.size(); ++q) sums[q] += more[q];
 }
 
-/// Where the models stand at film time 0, for a wind that does not depend on when it is asked for first.
-std::vector<StandingModel> modelsAtStart(const SceneSnapshot& snapshot, const SnowGround& ground) {
-  std::vector<StandingModel> models;
-  for (const ModelGround& model : ground.models)
-    models.push_back({snapshot.modelTransform(nodeOf(snapshot, model), 0.0), model.triangles, 0});
-  return models;
-}
-
 }  // namespace
 
 MotionSettings motionSettings(const SceneSnapshot& scene, double filmTime) {

@@ -154,6 +154,13 @@ void setDomain(SnowScene& scene, const Box3d& ground) {
 
 }  // namespace
 
+std::vector<StandingModel> modelsAtStart(const SceneSnapshot& snapshot, const SnowGround& ground) {
+  std::vector<StandingModel> models;
+  for (const ModelGround& model : ground.models)
+    models.push_back({snapshot.modelTransform(nodeOf(snapshot, model), 0.0), model.triangles, 0});
+  return models;
+}
+
 bool SnowSceneMaker::fits(const SnowScene& scene) const {
   if (!m_still || !(m_still->domain == scene.domain)) return false;
   for (std::size_t m = 0; m < scene.models.size(); ++m)

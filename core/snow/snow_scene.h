@@ -28,6 +28,9 @@ struct StandingModel {
   std::uint32_t geometry = 0;             ///< in the ray scene
 };
 
+/// Where the models stand at film time 0, for what does not depend on when it is asked for first.
+std::vector<StandingModel> modelsAtStart(const SceneSnapshot& snapshot, const SnowGround& ground);
+
 /// Everything that snow can hit at one time, and the box of air it falls through.
 struct SnowScene {
   std::shared_ptr<RayScene> rays;  ///< coordinates less `centre`, to keep float's digits

@@ -260,15 +260,16 @@ Result<WindField> WindField::make(const Raster<float>& ground, const std::vector
   setLevels(settings, g);
   if (!obstacles.empty()) addObstacles(obstacles, x0, y0, g);
 
-  WindField field;
-  field.m_width = g.width, field.m_height = g.height, field.m_layers = g.layers;
-  field.m_originX = x0 + 0.5 * g.cell, field.m_originY = y0 + 0.5 * g.cell, field.m_cell = g.cell;
-  field.m_roughness = settings.roughness;
-  field.m_levels = g.levels;
-  field.m_top = g.top;
-  field.m_depth.resize(g.columns());
-  for (std::size_t c = 0; c < g.columns(); ++c) field.m_depth[c] = static_cast<float>(g.depth(c));
-  field.m_ratios.resize(g.boxes());
+  auto table = std::make_shared<WindTable>();
+  table->width = g.width, table->height = g.height, table->layers = g.layers;
+  table->originX = x0 + 0.5 * g.cell, table->originY = y0 + 0.5 * g.cell, table->cell = g.cell;
+  table->roughness = settings.roughness;
+  table->levels = g.levels;
+  table->top = g.top;
+  table->depth.resize(g.columns());
+  for (std::size_t c = 0; c < g.columns(); ++c) table->depth[c] = static_cast<float>(g.depth(c));
+  table->ratios.resize(g.boxes());
+  WindField field(table);
   const WindFaces conductance = windConductances(g, settings.verticalStiffness);
   for (const int axis : {0, 1}) {
     WindFaces flow = levelWind(g, axis, settings.roughness);
@@ -279,8 +280,9 @@ Result<WindField> WindField::make(const Raster<float>& ground, const std::vector
     for (int j = 0; j < g.height; ++j)
       for (int i = 0; i < g.width; ++i)
         for (int k = 0; k < g.layers; ++k) {
-          Ratios& ratios = field.m_ratios[g.column(i, j) * static_cast<std::size_t>(g.layers) +
-                                          static_cast<std::size_t>(k)];
+          WindTable::Ratios& ratios =
+              table
+                  ->ratios[g.column(i, j) * static_cast<std::size_t>(g.layers) + static_cast<std::size_t>(k)];
           (axis == 0 ? ratios.byX : ratios.byY) = boxRatios(g, flow, i, j, k, settings.roughness);
         }
   }
@@ -288,14 +290,17 @@ Result<WindField> WindField::make(const Raster<float>& ground, const std::vector
 }
 
 WindField::Place WindField::placeOf(double x, double y) const {
-  const double u = std::clamp((x - m_originX) / m_cell, 0.0, static_cast<double>(m_width - 1)),
-               v = std::clamp((y - m_originY) / m_cell, 0.0, static_cast<double>(m_height - 1));
-  const int i = std::min(static_cast<int>(u), std::max(m_width - 2, 0)),
-            j = std::min(static_cast<int>(v), std::max(m_height - 2, 0));
+  const double u = std::clamp((x - m_table->originX) / m_table->cell, 0.0,
+                              static_cast<double>(m_table->width - 1)),
+               v = std::clamp((y - m_table->originY) / m_table->cell, 0.0,
+                              static_cast<double>(m_table->height - 1));
+  const int i = std::min(static_cast<int>(u), std::max(m_table->width - 2, 0)),
+            j = std::min(static_cast<int>(v), std::max(m_table->height - 2, 0));
   const double fu = u - i, fv = v - j;
   const auto column = [&](int a, int b) {
-    return static_cast<std::size_t>(std::min(b, m_height - 1)) * static_cast<std::size_t>(m_width) +
-           static_cast<std::size_t>(std::min(a, m_width - 1));
+    return static_cast<std::size_t>(std::min(b, m_table->height - 1)) *
+               static_cast<std::size_t>(m_table->width) +
+           static_cast<std::size_t>(std::min(a, m_table->width - 1));
   };
   return {{column(i, j), column(i + 1, j), column(i, j + 1), column(i + 1, j + 1)},
           {(1 - fu) * (1 - fv), fu * (1 - fv), (1 - fu) * fv, fu * fv}};
@@ -307,19 +312,21 @@ std::array<double, 6> WindField::ratiosAt(double x, double y, double above) cons
   for (std::size_t corner = 0; corner < 4; ++corner) {
     if (place.weight[corner] == 0.0) continue;
     const std::size_t c = place.column[corner];
-    const double s = std::clamp(above / static_cast<double>(m_depth[c]), 0.0, 1.0);
+    const double s = std::clamp(above / static_cast<double>(m_table->depth[c]), 0.0, 1.0);
     // Between the middles of the layers; the lowest and highest half hold their layer's.
-    const auto after = std::upper_bound(m_levels.begin(), m_levels.end() - 1, s);
-    const int k = static_cast<int>(after - m_levels.begin()) - 1;
+    const auto after = std::upper_bound(m_table->levels.begin(), m_table->levels.end() - 1, s);
+    const int k = static_cast<int>(after - m_table->levels.begin()) - 1;
     const auto middle = [&](int layer) {
-      return 0.5 *
-             (m_levels[static_cast<std::size_t>(layer)] + m_levels[static_cast<std::size_t>(layer) + 1]);
+      return 0.5 * (m_table->levels[static_cast<std::size_t>(layer)] +
+                    m_table->levels[static_cast<std::size_t>(layer) + 1]);
     };
-    const int low = s < middle(k) ? std::max(k - 1, 0) : k, high = std::min(low + 1, m_layers - 1);
+    const int low = s < middle(k) ? std::max(k - 1, 0) : k, high = std::min(low + 1, m_table->layers - 1);
     const double f =
         high > low ? std::clamp((s - middle(low)) / (middle(high) - middle(low)), 0.0, 1.0) : 0.0;
-    const Ratios& a = m_ratios[c * static_cast<std::size_t>(m_layers) + static_cast<std::size_t>(low)];
-    const Ratios& b = m_ratios[c * static_cast<std::size_t>(m_layers) + static_cast<std::size_t>(high)];
+    const WindTable::Ratios& a =
+        m_table->ratios[c * static_cast<std::size_t>(m_table->layers) + static_cast<std::size_t>(low)];
+    const WindTable::Ratios& b =
+        m_table->ratios[c * static_cast<std::size_t>(m_table->layers) + static_cast<std::size_t>(high)];
     for (std::size_t q = 0; q < 3; ++q) {
       sum[q] += place.weight[corner] *
                 ((1 - f) * static_cast<double>(a.byX[q]) + f * static_cast<double>(b.byX[q]));
@@ -332,18 +339,24 @@ std::array<double, 6> WindField::ratiosAt(double x, double y, double above) cons
 
 Vec3d WindField::at(double x, double y, double above, Vec2d wind10) const {
   const std::array<double, 6> r = ratiosAt(x, y, above);
-  const double level = logProfile(above, m_roughness);
+  const double level = logProfile(above, m_table->roughness);
   return Vec3d{r[0] * wind10.x + r[3] * wind10.y, r[1] * wind10.x + r[4] * wind10.y,
                r[2] * wind10.x + r[5] * wind10.y} *
          level;
+}
+
+Vec3d WindField::changeAt(double x, double y, double above, Vec2d wind) const {
+  const std::array<double, 6> r = ratiosAt(x, y, above);
+  return {(r[0] - 1.0) * wind.x + r[3] * wind.y, r[1] * wind.x + (r[4] - 1.0) * wind.y,
+          r[2] * wind.x + r[5] * wind.y};
 }
 
 double WindField::groundHeight(double x, double y) const {
   const Place place = placeOf(x, y);
   double depth = 0.0;
   for (std::size_t corner = 0; corner < 4; ++corner)
-    depth += place.weight[corner] * static_cast<double>(m_depth[place.column[corner]]);
-  return m_top - depth;
+    depth += place.weight[corner] * static_cast<double>(m_table->depth[place.column[corner]]);
+  return m_table->top - depth;
 }
 
 double WindField::speedUp(double x, double y, double above, Vec2d wind10) const {

@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/base/result.h"
 #include "core/fields/raster.h"
+#include "core/sim/wind_table.h"
 
 namespace spin {
 
@@ -50,26 +51,29 @@ class WindField {
   /// Wind in m/s at a height above the ground, for a wind 10 m above level ground. Beside the field it is
   /// that of its edge.
   Vec3d at(double x, double y, double above, Vec2d wind10) const;
+  /// What land and models change of a wind of that strength that does not grow with the height, m/s: where
+  /// the ground is level, nothing at any height.
+  Vec3d changeAt(double x, double y, double above, Vec2d wind) const;
   /// Horizontal speed over that on level ground at the same height.
   double speedUp(double x, double y, double above, Vec2d wind10) const;
 
   /// Ground under the columns, m.
   double groundHeight(double x, double y) const;
 
-  int columns() const { return m_width; }
-  int rows() const { return m_height; }
-  int layers() const { return m_layers; }
-  double cellSize() const { return m_cell; }
+  /// Winds that were solved before.
+  explicit WindField(std::shared_ptr<const WindTable> table) : m_table(std::move(table)) {}
+  const std::shared_ptr<const WindTable>& table() const { return m_table; }
+
+  int columns() const { return m_table->width; }
+  int rows() const { return m_table->height; }
+  int layers() const { return m_table->layers; }
+  double cellSize() const { return m_table->cell; }
   /// What the solver left: root mean square of the net flow out of boxes over the flow through a box's side,
   /// for the worse of both winds; and its iterations.
   double divergence() const { return m_divergence; }
   int iterations() const { return m_iterations; }
 
  private:
-  /// Both winds over the level one, by box: x and y parts along and across, z.
-  struct Ratios {
-    std::array<float, 3> byX{}, byY{};
-  };
   struct Place {
     std::array<std::size_t, 4> column;
     std::array<double, 4> weight;
@@ -77,13 +81,7 @@ class WindField {
   Place placeOf(double x, double y) const;
   std::array<double, 6> ratiosAt(double x, double y, double above) const;
 
-  int m_width = 0, m_height = 0, m_layers = 0;
-  double m_originX = 0.0, m_originY = 0.0, m_cell = 1.0;  ///< centre of the first column, m
-  double m_roughness = 0.01;
-  double m_top = 0.0;            ///< m
-  std::vector<float> m_depth;    ///< m from ground to the top, by column
-  std::vector<double> m_levels;  ///< heights of the layers' borders over that depth, from 0 to 1
-  std::vector<Ratios> m_ratios;  ///< by column, layers within
+  std::shared_ptr<const WindTable> m_table;
   double m_divergence = 0.0;
   int m_iterations = 0;
 };

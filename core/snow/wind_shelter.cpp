@@ -82,6 +82,18 @@ double HeightPyramid::highest(double x, double y, double size) const {
                                : -std::numeric_limits<double>::infinity();
 }
 
+ObstacleTops obstacleTops(const Raster<float>& cells, const std::vector<StandingModel>& models) {
+  ObstacleTops tops = cells.sameShape<float>(std::numeric_limits<float>::quiet_NaN());
+  for (const StandingModel& model : models)
+    for (const PlacedTriangle& triangle : model.triangles) {
+      std::array<Vec3d, 3> corners;
+      for (std::size_t c = 0; c < 3; ++c)
+        corners[c] = triangle.corners[c].to<double>() + model.placement.translation;
+      raiseTops(corners, tops);
+    }
+  return tops;
+}
+
 WindObstacles makeWindObstacles(const SceneSnapshot& snapshot, const SnowGround& ground,
                                 const std::vector<StandingModel>& models) {
   WindObstacles obstacles;
@@ -91,14 +103,7 @@ WindObstacles makeWindObstacles(const SceneSnapshot& snapshot, const SnowGround&
       continue;
     }
     const Raster<float>& base = ground.layout->grids[terrain.grid].base;
-    ObstacleTops tops = base.sameShape<float>(std::numeric_limits<float>::quiet_NaN());
-    for (const StandingModel& model : models)
-      for (const PlacedTriangle& triangle : model.triangles) {
-        std::array<Vec3d, 3> corners;
-        for (std::size_t c = 0; c < 3; ++c)
-          corners[c] = triangle.corners[c].to<double>() + model.placement.translation;
-        raiseTops(corners, tops);
-      }
+    ObstacleTops tops = obstacleTops(base, models);
     Raster<float> heights = base;
     for (std::size_t c = 0; c < heights.size(); ++c)
       if (tops.values[c] > heights.values[c]) heights.values[c] = tops.values[c];

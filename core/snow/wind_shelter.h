@@ -30,6 +30,8 @@ struct WindObstacles {
   std::vector<HeightPyramid> fine;    ///< terrain and tops
   std::vector<HeightPyramid> coarse;  ///< the terrain; empty or one
 };
+/// Tops of the models over the cells of a raster.
+ObstacleTops obstacleTops(const Raster<float>& cells, const std::vector<StandingModel>& models);
 WindObstacles makeWindObstacles(const SceneSnapshot& snapshot, const SnowGround& ground,
                                 const std::vector<StandingModel>& models);
 

@@ -84,6 +84,8 @@ bool FlakePass::look(const DrawContext& context, const SnowfallNode& snowfall) {
   view.tangentY = kFrustumMargin * static_cast<double>(b.forward.w);
   view.tangentX = view.tangentY * static_cast<double>(b.right.w);
   view.share = std::clamp(context.options.quality, 0.05, 1.0);
+  if (!m_wind || !m_wind->holdsFor(flakes)) m_wind = FallWind::of(flakes, m_backend);
+  view.wind = m_wind.get();
   if (m_looked == m_flakes && groups == m_groups && view == m_view) return m_seen.count > 0;
   if (!m_field || !m_field->fits(flakes.seed, groups))
     m_field = std::make_unique<FlakeField>(flakes.seed, groups);

@@ -34,6 +34,7 @@ class FlakePass {
   double m_atlasCover = 0.5;  ///< share of the circle round a flake that its pictures cover
   CpuBackend m_backend;
   std::unique_ptr<FlakeField> m_field;
+  std::shared_ptr<const FallWind> m_wind;  ///< round land and models; null = none
   FlakeRecords m_seen;
   /// What was looked at last: a picture that is drawn in bands looks once.
   std::shared_ptr<const FlakesPart> m_looked;
