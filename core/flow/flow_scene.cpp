@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "core/base/units.h"
 #include "core/fields/terrain_surface.h"
@@ -110,8 +111,9 @@ class SceneBuilder {
            fmt::format("the outline crosses itself: the edge from corner {} meets that from corner {}",
                        crossing->first + 1, crossing->second + 1),
            true);
-    const ReleaseArea area(node, m_ground);
+    const ReleaseArea& area = m_areas.emplace_back(node, m_ground);
     checkArea(node, area);
+    checkOverlap(release, area);
     const double depth = release.data.depth * (release.data.depthIsVertical ? area.normal().z : 1.0);
     release.layers = std::max(1, static_cast<int>(std::lround(depth / m_settings.spacing)));
     if (depth < 2.5 * m_settings.spacing)
@@ -142,6 +144,23 @@ class SceneBuilder {
                        "and is left out",
                        100.0 * area.shareWithoutGround()),
            false);
+  }
+
+  /// Two slabs in one place are pressed apart at once, which looks like an explosion.
+  void checkOverlap(const FlowRelease& release, const ReleaseArea& area) {
+    const double all = std::max(static_cast<double>(area.samples().size()), 1.0);
+    for (std::size_t k = 0; k < m_out.releases.size(); ++k) {
+      const FlowRelease& other = m_out.releases[k];
+      if (other.data.releaseTime != release.data.releaseTime) continue;
+      const auto both = std::count_if(area.samples().begin(), area.samples().end(),
+                                      [&](const Vec3d& p) { return m_areas[k].contains(p.x, p.y); });
+      if (const double share = static_cast<double>(both) / all; share > 0.005)
+        note(release.node->id,
+             fmt::format("{:.0f} % of its area lies within that of \"{}\", which breaks loose at the same "
+                         "time: there two slabs begin in one place and burst apart",
+                         100.0 * share, other.node->name),
+             false);
+    }
   }
 
   void addSource(const SceneNode& node) {
@@ -182,6 +201,7 @@ class SceneBuilder {
   FlowGround m_ground;
   FlowSettingsNode m_settings;
   std::vector<FlowBeginning> m_starts;
+  std::deque<ReleaseArea> m_areas;  ///< by release
   double m_deepest = 0.0;
 };
 
