@@ -11,6 +11,8 @@
 namespace spin {
 namespace {
 
+constexpr std::size_t kFewQuads = 8192;
+
 class TileBuilder {
  public:
   TileBuilder(const Raster<float>& heights, int tileX, int tileY, int level)
@@ -18,7 +20,8 @@ class TileBuilder {
         m_surface(heights),
         m_i0(tileX * kTileQuads),
         m_j0(tileY * kTileQuads),
-        m_stride(1 << level) {
+        m_stride(1 << level),
+        m_coarsest(coarsestTerrainLevel(heights)) {
     m_known.fill(-1);
   }
 
@@ -46,10 +49,19 @@ class TileBuilder {
   void addQuad(int i, int j, int s) {
     const auto v00 = vertex(i, j), v10 = vertex(i + s, j), v01 = vertex(i, j + s), v11 = vertex(i + s, j + s);
     for (const std::uint32_t v : {v00, v10, v11, v00, v11, v01}) m_mesh.indices.push_back(v);
-    if (i == m_i0) addSkirt(v00, v01);
-    if (j == m_j0) addSkirt(v00, v10);
-    if (i + s == m_i0 + kTileQuads) addSkirt(v10, v11);
-    if (j + s == m_j0 + kTileQuads) addSkirt(v01, v11);
+    if (i == m_i0 && goesOn(i - 1, j, 0, 1, s)) addSkirt(v00, v01);
+    if (j == m_j0 && goesOn(i, j - 1, 1, 0, s)) addSkirt(v00, v10);
+    if (i + s == m_i0 + kTileQuads && goesOn(i + s, j, 0, 1, s)) addSkirt(v10, v11);
+    if (j + s == m_j0 + kTileQuads && goesOn(i, j + s, 1, 0, s)) addSkirt(v01, v11);
+  }
+
+  /// Whether there is ground across a side, to which a gap could open: at the rim a skirt would hang as a
+  /// curtain.
+  bool goesOn(int i, int j, int di, int dj, int count) const {
+    if (m_coarsest == 0) return false;
+    for (int k = 0; k < count; ++k)
+      if (m_surface.quadExists(i + k * di, j + k * dj)) return true;
+    return false;
   }
 
   void addSkirt(std::uint32_t a, std::uint32_t b) {
@@ -90,7 +102,7 @@ class TileBuilder {
 
   const Raster<float>& m_heights;
   TerrainSurface m_surface;
-  int m_i0, m_j0, m_stride;
+  int m_i0, m_j0, m_stride, m_coarsest;
   std::array<int, (kTileQuads + 1) * (kTileQuads + 1)> m_known{};
   TerrainTileMesh m_mesh;
 };
@@ -100,6 +112,12 @@ class TileBuilder {
 TileCount terrainTiles(const Raster<float>& heights) {
   const auto tiles = [](int cells) { return cells < 2 ? 0 : (cells - 2) / kTileQuads + 1; };
   return {tiles(heights.width), tiles(heights.height)};
+}
+
+int coarsestTerrainLevel(const Raster<float>& heights) {
+  int level = 0;
+  while (level + 1 < kTerrainLevels && heights.size() >> (2 * level) > kFewQuads) ++level;
+  return level;
 }
 
 TerrainTileMesh buildTerrainTile(const Raster<float>& heights, int tileX, int tileY, int level) {

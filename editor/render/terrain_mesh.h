@@ -23,11 +23,14 @@ struct TileCount {
   int x = 0, y = 0;
 };
 TileCount terrainTiles(const Raster<float>& heights);
+/// Coarsest level that a terrain may be drawn at: 0 for those so small that they are drawn quickly as they
+/// are, and would else cut through what flows in them.
+int coarsestTerrainLevel(const Raster<float>& heights);
 
 /// Meshes one tile. At level 0 it is exactly the TerrainSurface. A coarser block that touches a hole or the
 /// raster's end is drawn at full resolution, its outline held to the straight edges of the coarse blocks
 /// beside it, so that no crack opens inside a tile. Skirts hang from the tile's outline and close the gaps
-/// between tiles of different levels.
+/// between tiles of different levels, where there may be any.
 TerrainTileMesh buildTerrainTile(const Raster<float>& heights, int tileX, int tileY, int level);
 
 }  // namespace spin

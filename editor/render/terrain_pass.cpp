@@ -167,8 +167,10 @@ void TerrainPass::draw(const DrawContext& context, const std::vector<Vec4f>& cut
       seen.emplace_back(distanceTo(tile.bounds, context.camera.position), &tile);
   std::stable_sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   const double pixels = kQuadPixels / std::clamp(context.options.quality, 0.1, 4.0);
+  const int coarsest = coarsestTerrainLevel(m_terrain->heights);
   for (const auto& [distance, tile] : seen) {
-    const int level = terrainLevel(distance, m_terrain->heights.cellSize, context.pixelsPerUnit, pixels);
+    const int level = std::min(
+        coarsest, terrainLevel(distance, m_terrain->heights.cellSize, context.pixelsPerUnit, pixels));
     const LevelMesh& mesh = meshOf(*tile, level);
     if (mesh.count == 0) continue;
     std::vector<Vec4f> here;

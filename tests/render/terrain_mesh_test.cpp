@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -110,6 +111,35 @@ TEST(TerrainMesh, NoVertexLeavesTheEdgeItLiesOn) {
     for (const Vec3f& p : mesh.vertices) skirts += p.z < -50.0f;
     EXPECT_EQ(vertexesOffEdges(mesh), 0) << "level " << level << ", skirts sunk " << skirts;
   }
+}
+
+TEST(TerrainMesh, NothingHangsFromTheRim) {
+  Raster<float> h(65, 160, 0.0, 0.0, 1.0);
+  ASSERT_GT(coarsestTerrainLevel(h), 0);
+  const auto lowest = [&](int tile, int level) {
+    float low = 0.0f;
+    for (const Vec3f& p : buildTerrainTile(h, tile, 0, level).vertices) low = std::min(low, p.z);
+    return low;
+  };
+  // Level ground of two by five tiles: skirts hang at the seams between them alone.
+  const auto hanging = [&](int tile, int level) {
+    std::size_t count = 0;
+    for (const Vec3f& p : buildTerrainTile(h, tile, 0, level).vertices)
+      count += p.z < 0.0f && p.x != 32.0f && p.y != 32.0f;
+    return count;
+  };
+  for (const int level : {0, 2, 4})
+    for (const int tile : {0, 1}) {
+      EXPECT_EQ(hanging(tile, level), 0u) << tile << ' ' << level;
+      EXPECT_LT(lowest(tile, level), 0.0f) << "the seam is closed";
+    }
+  for (int j = 0; j < 160; ++j)
+    for (int i = 0; i < 65; ++i)
+      if (i > 32 || j > 32) h.at(i, j) = kHole;
+  EXPECT_EQ(lowest(0, 2), 0.0f) << "beside a hole there is no seam";
+  const Raster<float> small(65, 33, 0.0, 0.0, 1.0);
+  EXPECT_EQ(coarsestTerrainLevel(small), 0) << "all its tiles are of one level";
+  for (const Vec3f& p : buildTerrainTile(small, 0, 0, 0).vertices) EXPECT_EQ(p.z, 0.0f);
 }
 
 TEST(TerrainMesh, CoarserLevelsAreCheaper) {
