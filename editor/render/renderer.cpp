@@ -16,6 +16,7 @@
 #include "editor/render/noise_texture.h"
 #include "editor/render/render_target.h"
 #include "editor/render/shadow_pass.h"
+#include "editor/render/tank.h"
 #include "editor/render/terrain_pass.h"
 
 namespace spin {
@@ -44,7 +45,8 @@ RenderCamera cameraOf(const SceneSnapshot& scene, double filmTime) {
 }
 
 struct Renderer::State {
-  SnapshotPointer scene;
+  SnapshotPointer given;  ///< as it was set
+  SnapshotPointer scene;  ///< with what is only drawn
   FramePointer frame;
   bool coverStale = true;
   TerrainPass terrain;
@@ -135,7 +137,9 @@ Status Renderer::initialise() {
 void Renderer::setScene(SnapshotPointer scene) {
   State& st = *m_state;
   if (!scene) scene = std::make_shared<const SceneSnapshot>();
-  if (scene == st.scene) return;
+  if (scene == st.given) return;
+  st.given = scene;
+  scene = withTank(scene);
   if (!st.scene || st.scene->terrain != scene->terrain) st.coverStale = true;
   st.scene = std::move(scene);
   st.terrain.setTerrain(st.scene->terrain);

@@ -8,6 +8,7 @@
 
 #include "core/fields/terrain_surface.h"
 #include "core/nodes/camera_node.h"
+#include "core/nodes/flow_nodes.h"
 #include "core/nodes/terrain_node.h"
 
 namespace spin {
@@ -67,6 +68,30 @@ std::optional<double> hitModel(const ModelData& model, const Transform& placemen
   return best;
 }
 
+/// Flow needs no terrain: its releases on level ground, its sources, and the tank that holds it.
+Box3d flowBounds(const SceneSnapshot& scene, double filmTime) {
+  Box3d box;
+  for (const SceneNode* node : scene.all<AvalancheReleaseNode>()) {
+    const auto release = static_cast<const AvalancheReleaseNode&>(*evaluate(*node, filmTime));
+    for (const Vec2d& corner : release.outline)
+      for (const double z : {0.0, release.depth}) box.extend(Vec3d{corner.x, corner.y, z});
+  }
+  for (const SceneNode* node : scene.all<WaterSourceNode>()) {
+    const auto source = static_cast<const WaterSourceNode&>(*evaluate(*node, filmTime));
+    box.extend(source.position);
+    if (source.shape == WaterSourceShape::Line) box.extend(source.end);
+  }
+  if (box.empty()) return box;
+  const auto settings = scene.settings<FlowSettingsNode>(filmTime);
+  const Vec3d size = settings.domainMax - settings.domainMin;
+  if (settings.closed && size.x > 0.0 && size.y > 0.0 && size.z > 0.0) {
+    box.extend(settings.domainMin);
+    // Tanks are high so that nothing splashes over; one looks at what is in them.
+    box.extend(Vec3d{settings.domainMax.x, settings.domainMax.y, box.max.z});
+  }
+  return box;
+}
+
 }  // namespace
 
 std::optional<Vec3d> pickTerrain(const SceneSnapshot& scene, const ViewRay& ray) {
@@ -116,9 +141,9 @@ Box3d nodeBounds(const SceneSnapshot& scene, const std::string& id, double filmT
 
 bool showsNothing(const SceneSnapshot& scene) {
   const bool land = scene.terrain && !scene.terrain->heights.empty() && scene.first<TerrainNode>();
-  return !land && std::none_of(scene.models.begin(), scene.models.end(), [](const auto& model) {
-    return model.second && !model.second->meshes.empty();
-  });
+  return !land && flowBounds(scene, 0.0).empty() &&
+         std::none_of(scene.models.begin(), scene.models.end(),
+                      [](const auto& model) { return model.second && !model.second->meshes.empty(); });
 }
 
 EyeFloor eyeFloor(const SceneSnapshot& scene) {
@@ -134,7 +159,10 @@ EyeFloor eyeFloor(const SceneSnapshot& scene) {
 
 Box3d sceneBounds(const SceneSnapshot& scene, double filmTime) {
   Box3d box;
-  if (scene.terrain && scene.first<TerrainNode>()) box.extend(boundsOf(scene.terrain->heights));
+  if (scene.terrain && scene.first<TerrainNode>())
+    box.extend(boundsOf(scene.terrain->heights));
+  else
+    box.extend(flowBounds(scene, filmTime));
   for (const SceneNode* node : scene.all<ModelNode>()) box.extend(nodeBounds(scene, node->id, filmTime));
   return box;
 }

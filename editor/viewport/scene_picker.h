@@ -22,12 +22,12 @@ std::optional<PickHit> pickScene(const SceneSnapshot& scene, double filmTime, co
 std::optional<Vec3d> pickTerrain(const SceneSnapshot& scene, const ViewRay& ray);
 /// Bounding box of one node in local metres; empty for nodes without a place (weather, settings).
 Box3d nodeBounds(const SceneSnapshot& scene, const std::string& id, double filmTime);
-/// Neither terrain nor model is there; cheap.
+/// Neither terrain nor model is there, nor what flows without them; cheap.
 bool showsNothing(const SceneSnapshot& scene);
 /// Keeps the eye off the terrain; beyond the rim its height goes on, holes and scenes without terrain have no
 /// floor. Null without terrain.
 EyeFloor eyeFloor(const SceneSnapshot& scene);
-/// Bounding box of all that stands in the scene.
+/// Bounding box of all that stands in the scene; without terrain also of what flows.
 Box3d sceneBounds(const SceneSnapshot& scene, double filmTime);
 
 }  // namespace spin
