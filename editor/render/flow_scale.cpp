@@ -41,21 +41,42 @@ Shown shownOf(FlowDisplay shows) {
   return {"", ""};
 }
 
+const ParticleAttribute* attributeOf(const ParticleSet& set, FlowDisplay shows) {
+  const ParticleAttribute* a = set.find(shownOf(shows).attribute);
+  const bool whole =
+      a && a->components > 0 && a->values.size() == set.size() * static_cast<std::size_t>(a->components);
+  return whole ? a : nullptr;
+}
+
+/// Its size where it is a vector.
+float valueAt(const ParticleAttribute& a, std::size_t particle) {
+  const auto width = static_cast<std::size_t>(a.components);
+  const float* at = a.values.data() + particle * width;
+  if (width == 1) return *at;
+  float square = 0.0f;
+  for (std::size_t c = 0; c < width; ++c) square += at[c] * at[c];
+  return std::sqrt(square);
+}
+
 }  // namespace
 
 std::vector<float> flowValues(const ParticleSet& set, FlowDisplay shows) {
-  const ParticleAttribute* a = set.find(shownOf(shows).attribute);
-  if (!a || a->components < 1 || a->values.size() != set.size() * static_cast<std::size_t>(a->components))
-    return {};
+  const ParticleAttribute* a = attributeOf(set, shows);
+  if (!a) return {};
   if (a->components == 1) return a->values;
   std::vector<float> values(set.size());
-  const auto width = static_cast<std::size_t>(a->components);
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    float square = 0.0f;
-    for (std::size_t c = 0; c < width; ++c) square += a->values[k * width + c] * a->values[k * width + c];
-    values[k] = std::sqrt(square);
-  }
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = valueAt(*a, k);
   return values;
+}
+
+std::optional<float> flowValue(const ParticleSet& set, FlowDisplay shows, std::size_t particle) {
+  const ParticleAttribute* a = attributeOf(set, shows);
+  if (!a || particle >= set.size()) return std::nullopt;
+  return valueAt(*a, particle);
+}
+
+const char* flowUnit(FlowDisplay shows) {
+  return shownOf(shows).unit;
 }
 
 FlowScale flowScale(const RenderNode& settings, std::vector<float> values) {

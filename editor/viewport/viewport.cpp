@@ -314,7 +314,9 @@ void Viewport::paintOverlay(QPainter& painter) const {
   if (m_legend) room.setRight(paintLegend(painter, room, *m_legend).left());
   const bool values = m_coverLegend && m_options.showSnow && m_options.ground == GroundDisplay::Natural;
   if (values) paintLegend(painter, room, *m_coverLegend);
-  if (!m_reading.isEmpty()) paintReading(painter, QRectF(m_surface->rect()), m_reading);
+  // Above the line that tells what the tool does: both may be long.
+  const QRectF aboveHint = QRectF(m_surface->rect()).adjusted(0, 0, 0, m_showHints ? -34 : 0);
+  if (!m_reading.isEmpty()) paintReading(painter, aboveHint, m_reading);
   paintShapes(painter, seen);
   if (const GroundScale* scale = groundScale(m_options.ground))
     paintGroundLegend(painter, QRectF(m_surface->rect()), *scale);

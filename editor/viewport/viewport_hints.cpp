@@ -43,13 +43,15 @@ QString Viewport::toolHint() const {
     case Tool::Rotate:
     case Tool::Scale:
       if (m_gizmo.pose(context())) return tr("Drag a handle. Ctrl: whole steps, Escape: take it back");
-      if (findShapeNode(context(), m_selected))
+      if (!nodeShape(context(), m_selected).points.empty())
         return tr("Drag a handle. Ctrl: whole steps, Shift: up and down, Escape: take it back");
       return tr("Select something that stands in the scene to get its handles");
   }
-  if (findShapeNode(context(), m_selected))
-    return tr("Drag a handle. Ctrl: whole steps, Shift: up and down, Escape: take it back");
   const SceneNode* selected = selectedNode();
+  if (selected && selected->as<AvalancheReleaseNode>() && ground)
+    return tr("Drag a corner or the middle. O: add and delete corners, B: paint the release");
+  if (!nodeShape(context(), m_selected).points.empty())
+    return tr("Drag a handle. Ctrl: whole steps, Shift: up and down, Escape: take it back");
   if (selected && selected->as<ModelNode>())
     return tr("W: move, E: turn, R: scale, S: scatter copies of the selected model");
   if (selected && paintedKind(*selected->type) && ground)

@@ -3,6 +3,7 @@
 // What lies under the pointer of the viewport. Finding it costs a ray through the scene, so it follows the
 // pointer a few times a second and not with every event.
 #include "editor/viewport/cover_reading.h"
+#include "editor/viewport/flow_reading.h"
 #include "editor/viewport/picture_view.h"
 #include "editor/viewport/viewport.h"
 
@@ -21,8 +22,15 @@ void Viewport::updateReading() {
   QString text;
   if (m_showReading && m_pointerInside && m_scene && !editing()) {
     const ViewportContext seen = context();
-    if (const auto reading = readCover(*m_scene, m_frame.get(), m_filmTime, seen.view.ray(m_pointer)))
-      text = readingText(*reading);
+    const auto below = readCover(*m_scene, m_frame.get(), m_filmTime, seen.view.ray(m_pointer));
+    const auto flow = readFlow(*m_scene, m_frame.get(), m_filmTime, seen.view, m_pointer);
+    // Flow lies on the ground, so that a little behind it is still before it.
+    const bool hidden =
+        flow && below && seen.view.depth(flow->point) > 1.02 * seen.view.depth(below->point) + 1.0;
+    if (flow && !hidden)
+      text = readingText(*flow);
+    else if (below)
+      text = readingText(*below);
   }
   if (text == m_reading) return;
   m_reading = text;
