@@ -113,12 +113,13 @@ void TimelineBar::paintRuler(QPainter& painter) const {
   }
 }
 
+FrameState TimelineBar::stateOf(int frame) const {
+  const auto index = static_cast<std::size_t>(std::max(frame, 0));
+  return index < m_states.size() ? m_states[index] : FrameState::Missing;
+}
+
 void TimelineBar::paintStates(QPainter& painter) const {
   // Runs of equal state are one rectangle, so that long films stay cheap to paint.
-  const auto stateOf = [this](int frame) {
-    return frame < static_cast<int>(m_states.size()) ? m_states[static_cast<std::size_t>(frame)]
-                                                     : FrameState::Missing;
-  };
   int begin = m_first;
   while (begin <= m_last) {
     int end = begin;
@@ -195,9 +196,7 @@ bool TimelineBar::event(QEvent* event) {
 
 QString TimelineBar::toolTipAt(double x) const {
   const int frame = frameAt(x);
-  const auto index = static_cast<std::size_t>(frame);
-  const FrameState state = index < m_states.size() ? m_states[index] : FrameState::Missing;
-  switch (state) {
+  switch (stateOf(frame)) {
     case FrameState::Ready:
       return tr("Frame %1: simulated").arg(frame);
     case FrameState::Stale:

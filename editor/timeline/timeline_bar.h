@@ -24,6 +24,8 @@ class TimelineBar : public QWidget {
   void setCurrent(int frame);
   /// States of frames 0 .. n-1.
   void setStates(std::vector<FrameState> states);
+  /// Missing where nothing was told.
+  FrameState stateOf(int frame) const;
   /// Frames at which the selected node has keys; fractions are keys between frames.
   void setKeyFrames(std::vector<double> frames);
   const std::vector<double>& keyFrames() const { return m_keys; }

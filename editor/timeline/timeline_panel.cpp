@@ -128,8 +128,24 @@ void TimelinePanel::restartClock() {
 
 void TimelinePanel::playStep() {
   const double now = static_cast<double>(m_elapsed.nsecsElapsed()) * 1e-9;
-  setCurrent(m_clock.frameAt(now));
+  const int due = m_clock.frameAt(now), frame = reachable(due);
+  setCurrent(frame);
+  if (m_playing && frame != due) return restartClock();
   if (m_playing) m_timer.start(std::max(1, static_cast<int>(std::ceil(m_clock.untilNext(now) * 1000.0))));
+}
+
+/// The last frame on the way to the one that is due before one that is still missing.
+int TimelinePanel::reachable(int due) const {
+  if (!m_growing) return due;
+  int frame = current();
+  // Nothing is to be seen from a frame on that is missing itself.
+  if (m_bar->stateOf(frame) == FrameState::Missing) return m_bar->first();
+  while (frame != due) {
+    const int next = frame < m_bar->last() ? frame + 1 : m_bar->first();
+    if (m_bar->stateOf(next) == FrameState::Missing) break;
+    frame = next;
+  }
+  return frame;
 }
 
 void TimelinePanel::showTime() {

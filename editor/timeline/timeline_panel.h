@@ -35,6 +35,9 @@ class TimelinePanel : public QWidget {
   /// Clamped to the range; tells currentChanged() if it is another frame.
   void setCurrent(int frame);
   void setPlaying(bool on);
+  /// Frames are being simulated: playing waits at one that is missing instead of running ahead of the
+  /// picture.
+  void setGrowing(bool on) { m_growing = on; }
   void togglePlaying() { setPlaying(!m_playing); }
   void toFirst() { scrubTo(m_bar->first()); }
   void toLast() { scrubTo(m_bar->last()); }
@@ -48,6 +51,7 @@ class TimelinePanel : public QWidget {
   QToolButton* addButton(const char* name);
   void scrubTo(int frame);
   void playStep();
+  int reachable(int due) const;
   void restartClock();
   void showTime();
   void showTexts();
@@ -65,6 +69,7 @@ class TimelinePanel : public QWidget {
   PlaybackClock m_clock;
   double m_rate = 24.0;
   bool m_playing = false;
+  bool m_growing = false;
 };
 
 }  // namespace spin

@@ -72,6 +72,29 @@ class TimelinePanelTest : public QObject {
     QTest::qWait(60);
     QCOMPARE(panel.current(), frame);
   }
+
+  /// While frames are simulated playing shows each as it comes, and never runs ahead of them.
+  void waitsForWhatIsSimulated() {
+    TimelinePanel panel;
+    panel.setFilm(0, 50, 200.0);
+    std::vector<FrameState> states(51, FrameState::Missing);
+    std::fill(states.begin(), states.begin() + 6, FrameState::Ready);
+    panel.bar()->setStates(states);
+    panel.setGrowing(true);
+    panel.setPlaying(true);
+    QTRY_COMPARE(panel.current(), 5);
+    QTest::qWait(60);
+    QCOMPARE(panel.current(), 5);
+    std::fill(states.begin(), states.begin() + 9, FrameState::Ready);
+    panel.bar()->setStates(states);
+    QTRY_COMPARE(panel.current(), 8);
+    // From where nothing is yet it begins anew.
+    panel.setCurrent(30);
+    QTRY_COMPARE(panel.current(), 8);
+    // Without a run it plays on as before: there is nothing to wait for.
+    panel.setGrowing(false);
+    QTRY_VERIFY(panel.current() > 20);
+  }
 };
 
 QTEST_MAIN(TimelinePanelTest)
