@@ -28,6 +28,7 @@ struct RunOptions {
 struct RunProgress {
   int frame = 0;  ///< frame in work
   int lastFrame = 0;
+  int framesDone = 0;         ///< by this run; others were there
   double fractionDone = 0.0;  ///< of the whole run
   double secondsLeft = -1.0;  ///< estimate; < 0 = not known yet
   StageTimings timings;       ///< of the run so far

@@ -282,6 +282,7 @@ void SimulationRun::report(double fractionOfFrame, bool always) {
   RunProgress progress;
   progress.frame = m_target;
   progress.lastFrame = m_options.lastFrame;
+  progress.framesDone = m_framesDone;
   // A frame that is finished is counted already.
   const double inWork = fractionOfFrame < 1.0 ? fractionOfFrame : 0.0;
   const int total = std::max(m_framesTotal, 1);

@@ -55,7 +55,10 @@ QString durationText(double seconds) {
   const auto total = static_cast<qint64>(std::lround(seconds));
   if (total < 60) return ExportDialog::tr("%1 s").arg(total);
   if (total < 3600) return ExportDialog::tr("%1 min %2 s").arg(total / 60).arg(total % 60);
-  return ExportDialog::tr("%1 h %2 min").arg(total / 3600).arg(total / 60 % 60);
+  constexpr qint64 kDay = 86400, kYear = 365 * kDay;
+  if (total < 2 * kDay) return ExportDialog::tr("%1 h %2 min").arg(total / 3600).arg(total / 60 % 60);
+  if (total < 2 * kYear) return ExportDialog::tr("%1 days").arg(total / kDay);
+  return ExportDialog::tr("%1 years").arg(QLocale().toString(total / kYear));
 }
 
 QString bytesText(double bytes) {

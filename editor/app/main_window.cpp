@@ -155,7 +155,8 @@ void MainWindow::addDocks() {
   right->raise();
   issues->raise();
   resizeDocks({left, right, issues}, {240, 440, 140}, Qt::Vertical);
-  resizeDocks({right}, {340}, Qt::Horizontal);
+  // As wide as the widest node's properties: the view keeps its size when another node is selected.
+  resizeDocks({right}, {430}, Qt::Horizontal);
   resizeDocks({bottom}, {96}, Qt::Vertical);
 }
 
@@ -165,11 +166,17 @@ void MainWindow::joinTimeline() {
   connect(m_timeline->bar(), &TimelineBar::keyMoved, m_tools, &SceneTools::moveKeys);
   connect(m_simulation, &SimulationController::statesChanged, this,
           [this] { m_timeline->bar()->setStates(m_simulation->frameStates()); });
+  connect(m_simulation, &SimulationController::stateChanged, this, [this](SimulationController::State state) {
+    m_timeline->setGrowing(state == SimulationController::State::Running);
+  });
   connect(m_document, &SceneDocument::changed, this, [this](const ChangeEvent& event) {
     const SceneNode* node = m_document->node(event.node);
     if (event.kind == ChangeKind::Reset || (node && node->as<SimulationNode>())) updateFilm();
     updateKeys();
-    if (event.kind == ChangeKind::Reset) m_lookWanted = true;
+    if (event.kind != ChangeKind::Reset) return;
+    m_lookWanted = true;
+    m_timeline->setPlaying(false);
+    m_timeline->toFirst();
   });
   connect(m_document, &SceneDocument::selectionChanged, this, &MainWindow::updateKeys);
 }

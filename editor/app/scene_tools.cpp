@@ -67,6 +67,7 @@ void SceneTools::scatter(const std::string& id, const PlanPoints& copies) {
 
 void SceneTools::beginOutline(Vec2d corner) {
   m_document->undoStack()->beginMacro(tr("Draw release outline"));
+  addFlowSettings();
   const Result<std::string> added =
       edit::addNode(*m_document, kAvalancheReleaseType,
                     QCoreApplication::translate("Properties", kAvalancheReleaseType.label));
@@ -136,10 +137,20 @@ Result<std::string> SceneTools::addNode(const NodeType& type, const QString& lab
   const edit::PropertyValues values =
       placedDefaults(type, sightOf(*m_viewport), model ? selected->id : std::string());
   m_document->undoStack()->beginMacro(tr("Add %1").arg(label));
+  if (&type == &kAvalancheReleaseType || &type == &kWaterSourceType) addFlowSettings();
   Result<std::string> added = edit::addNode(*m_document, type, label);
   if (added.ok() && !values.empty()) report(edit::setValues(*m_document, *added, values));
   m_document->undoStack()->endMacro();
   return added;
+}
+
+/// What flows comes with its settings: nobody looks for the spacing of particles where there is no node that
+/// has one.
+void SceneTools::addFlowSettings() {
+  if (m_document->scene().firstOf(kFlowSettingsType)) return;
+  const Result<std::string> added = edit::addNode(
+      *m_document, kFlowSettingsType, QCoreApplication::translate("Properties", kFlowSettingsType.label));
+  if (!added.ok()) Q_EMIT message(QString::fromStdString(added.error().text()));
 }
 
 void SceneTools::setPicture(const std::string& property, const Value& value) {

@@ -52,6 +52,7 @@ class SceneTools : public QObject {
   void beginOutline(Vec2d corner);
   void finish();
   void cancel();
+  void addFlowSettings();
   void report(const Status& status);
 
   SceneDocument* m_document;

@@ -6,7 +6,9 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <thread>
+#include <utility>
 
+#include "core/flow/flow_estimate.h"
 #include "core/nodes/settings_nodes.h"
 #include "editor/document/scene_document.h"
 #include "editor/document/time_context.h"
@@ -205,16 +207,35 @@ void SimulationController::takeSnapshot(const SnapshotPointer& snapshot,
   Q_EMIT snapshotChanged(m_snapshot);
   setState(State::Idle);
   estimate();
+  checkFlow();
   if (m_runWanted) run();
 }
 
 /// On a thread: keys of many frames take a while.
 void SimulationController::estimate() {
+  if (!m_snapshot) return;
   const quint64 number = ++m_estimate;
   m_cleaner.start([this, number, scene = m_snapshot, store = m_store, options = runOptions(lastFrame())] {
+    if (number != m_estimate) return;
     const RunEstimate need = estimateRun(*scene, *store, options);
     QMetaObject::invokeMethod(this, [this, number, need] {
       if (number == m_estimate) Q_EMIT estimated(need);
+    });
+  });
+}
+
+/// On a thread: it lays the slabs out and cuts bodies into particles. Of edits in quick succession only the
+/// last one is looked at.
+void SimulationController::checkFlow() {
+  const quint64 number = ++m_flowCheck;
+  m_cleaner.start([this, number, scene = m_snapshot] {
+    if (number != m_flowCheck) return;
+    std::vector<FlowIssue> found;
+    if (sceneHasFlow(*scene)) found = findFlowIssues(*scene);
+    QMetaObject::invokeMethod(this, [this, number, found] {
+      if (number != m_flowCheck) return;
+      m_flowIssues = found;
+      showProblems();
     });
   });
 }
@@ -231,15 +252,20 @@ void SimulationController::run() {
   const quint64 number = ++m_run;
   RunCallbacks callbacks;
   callbacks.progress = [this, number](const RunProgress& progress) {
-    const SimulationProgress told{progress.frame, progress.lastFrame, progress.fractionDone,
-                                  progress.secondsLeft, progress.timings.table()};
+    const SimulationProgress told{progress.frame,        progress.lastFrame,   progress.framesDone,
+                                  progress.fractionDone, progress.secondsLeft, progress.timings.table()};
     QMetaObject::invokeMethod(this, [this, number, told] {
-      if (number == m_run && m_state == State::Running) Q_EMIT progressed(told);
+      if (number != m_run || m_state != State::Running) return;
+      // By the first report the run has told the store which of its frames still hold.
+      if (std::exchange(m_toldRun, number) != number) Q_EMIT statesChanged();
+      Q_EMIT progressed(told);
     });
   };
   callbacks.frameReady = [this](const FramePointer& frame) {
     QMetaObject::invokeMethod(this, [this, n = frame->info.time.frame] { frameReady(n); });
   };
+  m_runError.reset();
+  showProblems();
   setState(State::Running);
   m_runner->start(m_snapshot, m_store, runOptions(last), std::move(callbacks),
                   [this, number](const Status& status) {
@@ -261,19 +287,38 @@ void SimulationController::runFinished(const Status& status, quint64 number) {
   const bool cancelled = !status.ok() && status.error().kind == ErrorKind::Cancelled;
   if (m_state == State::Running) setState(status.ok() || cancelled ? State::Idle : State::Failed);
   reportRunError(status);
+  estimate();
 }
 
 void SimulationController::reportRunError(const Status& status) {
-  std::vector<DocumentIssue> issues;
+  m_runError.reset();
   QString text;
   if (!status.ok() && status.error().kind != ErrorKind::Cancelled) {
-    issues.push_back(issueOf(status.error(), {}));
+    m_runError = status.error();
     text = QString::fromStdString(status.error().text());
   } else if (!status.ok()) {
-    text = tr("Simulation stopped.");
+    text = m_paused ? tr("Simulation held; P goes on.") : tr("Simulation stopped.");
   }
-  m_document->setIssues(QStringLiteral("simulation"), std::move(issues));
+  showProblems();
   Q_EMIT finished(text);
+}
+
+/// What the flow cannot start with is found before a run and told by it again: it is listed once, with the
+/// run's advice.
+void SimulationController::showProblems() {
+  std::vector<DocumentIssue> ofFlow, ofRun;
+  for (const FlowIssue& issue : m_flowIssues) {
+    if (m_runError && m_runError->why == issue.text) continue;
+    QString text = QString::fromStdString(issue.text);
+    text.replace(0, 1, text.left(1).toUpper());
+    ofFlow.push_back({issue.fatal ? Severity::Error : Severity::Warning, issue.node, {}, text});
+  }
+  if (m_runError) {
+    const std::string& where = m_runError->where;
+    ofRun.push_back(issueOf(*m_runError, m_document->node(where) ? where : std::string()));
+  }
+  m_document->setIssues(QStringLiteral("flow"), std::move(ofFlow));
+  m_document->setIssues(QStringLiteral("simulation"), std::move(ofRun));
 }
 
 void SimulationController::fetch() {

@@ -4,7 +4,10 @@
 
 #include <QObject>
 #include <QTimer>
+#include <atomic>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "core/base/timings.h"
 #include "core/sim/runner.h"
@@ -16,11 +19,13 @@ namespace spin {
 
 class SceneDocument;
 class TimeContext;
+struct FlowIssue;
 
 /// How far the run is, for the status bar.
 struct SimulationProgress {
   int frame = 0;
   int lastFrame = 0;
+  int framesDone = 0;  ///< by this run
   double fractionDone = 0.0;
   double secondsLeft = -1.0;       ///< < 0 = not known yet
   std::vector<StageTime> timings;  ///< of the run so far
@@ -75,7 +80,7 @@ class SimulationController : public QObject {
   void statesChanged();
   void progressed(const spin::SimulationProgress& progress);
   void pausedChanged(bool on);
-  /// What the frames that are missing will take, each time the scene was read.
+  /// What the frames that are missing will take, each time the scene was read and a run ended.
   void estimated(const spin::RunEstimate& need);
   /// The run ended by itself; message is empty when all went well.
   void finished(const QString& message);
@@ -94,6 +99,8 @@ class SimulationController : public QObject {
   void fetch();
   void setState(State state);
   void reportRunError(const Status& status);
+  void checkFlow();
+  void showProblems();
   int lastFrame() const;
   void estimate();
 
@@ -117,7 +124,11 @@ class SimulationController : public QObject {
   bool m_resetting = false;
   int m_stepTo = -1;  ///< last frame of a single step
   quint64 m_run = 0;
-  quint64 m_estimate = 0;
+  quint64 m_toldRun = 0;                 ///< last one of which a report came
+  std::atomic<quint64> m_estimate = 0;   ///< number of the last one asked for
+  std::atomic<quint64> m_flowCheck = 0;  ///< likewise
+  std::vector<FlowIssue> m_flowIssues;
+  std::optional<Error> m_runError;
   /// Last, so that its thread ends before what its callbacks use.
   std::unique_ptr<Runner> m_runner;
 };

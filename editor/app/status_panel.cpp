@@ -140,7 +140,9 @@ void StatusPanel::showState(SimulationController::State state) {
   // Without a known length the bar only moves.
   m_progress->setRange(0, reading ? 0 : 1000);
   m_progress->setFormat(reading ? tr("Reading files...") : tr("Simulating..."));
-  if (running) m_progress->setValue(0);
+  if (!running) return;
+  m_progress->setValue(0);
+  m_stages->clear();
 }
 
 void StatusPanel::showProgress(const SimulationProgress& progress) {
@@ -153,10 +155,9 @@ void StatusPanel::showProgress(const SimulationProgress& progress) {
 }
 
 void StatusPanel::showStages(const SimulationProgress& progress) {
-  const QString text = stageSummary(progress.timings, std::max(1, progress.frame));
-  if (text.isEmpty()) return;
-  m_stages->setText(text);
-  m_stages->setToolTip(stageTable(progress.timings));
+  // Before its first frame is done a run has no figure of its own, and that of another scene says nothing.
+  m_stages->setText(stageSummary(progress.timings, progress.framesDone));
+  m_stages->setToolTip(progress.timings.empty() ? QString() : stageTable(progress.timings));
 }
 
 void StatusPanel::showEstimate(const RunEstimate& need) {

@@ -4,13 +4,35 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QStyledItemDelegate>
 #include <QTreeView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "editor/document/scene_document.h"
 #include "editor/models/issue_model.h"
 
 namespace spin {
+namespace {
+
+/// As many lines as the text takes in its column: what is wrong and what helps is read without pointing at
+/// it.
+class WrappedText : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    const QSize plain = QStyledItemDelegate::sizeHint(option, index);
+    const auto* view = qobject_cast<const QTreeView*>(parent());
+    if (!view) return plain;
+    const int margin = 2 * (view->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, view) + 1);
+    const int width = std::max(view->columnWidth(index.column()) - margin, 40);
+    const QString text = index.data(Qt::DisplayRole).toString();
+    const QRect needed = option.fontMetrics.boundingRect(QRect(0, 0, width, 100000), Qt::TextWordWrap, text);
+    return {plain.width(), std::max(plain.height(), needed.height() + 4)};
+  }
+};
+
+}  // namespace
 
 IssuesPanel::IssuesPanel(SceneDocument* document, QWidget* parent)
     : QWidget(parent),
@@ -22,7 +44,9 @@ IssuesPanel::IssuesPanel(SceneDocument* document, QWidget* parent)
   m_view->setObjectName(QStringLiteral("issuesView"));
   m_view->setModel(m_model);
   m_view->setRootIsDecorated(false);
-  m_view->setUniformRowHeights(true);
+  m_view->setWordWrap(true);
+  m_view->setItemDelegateForColumn(IssueModel::TextColumn, new WrappedText(m_view));
+  connect(m_view->header(), &QHeaderView::sectionResized, m_view, &QTreeView::doItemsLayout);
   m_view->header()->setSectionResizeMode(IssueModel::NodeColumn, QHeaderView::ResizeToContents);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

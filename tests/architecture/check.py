@@ -45,7 +45,7 @@ ARROWS = {
     "editor/panels": SDK + ["core/flake", "editor/document", "editor/commands", "editor/models"],
     "editor/timeline": SDK + ["editor/document", "editor/commands", "editor/models"],
     "editor/viewport": SDK + ["core/flake", "editor/document", "editor/commands", "editor/render"],
-    "editor/app": SDK + ["plugins/host", "core/raycast", "core/flake", "editor/cli", "editor/document", "editor/commands", "editor/models",
+    "editor/app": SDK + ["plugins/host", "core/raycast", "core/flake", "core/flow", "editor/cli", "editor/document", "editor/commands", "editor/models",
                          "editor/panels", "editor/timeline", "editor/viewport", "editor/render"],
 }
 PLUGIN_ARROWS = SDK + ["plugins/gdal_common"]  # every other folder under plugins/

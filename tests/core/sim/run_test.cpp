@@ -283,6 +283,17 @@ TEST_F(Simulation, ProgressRisesToOneAndTellsTheTimeLeft) {
   EXPECT_EQ(frames, 9);
 }
 
+TEST_F(Simulation, ProgressCountsTheFramesOfThisRunAlone) {
+  FrameStore store({folder.path("cache")});
+  RunCallbacks callbacks;
+  int done = -1;
+  callbacks.progress = [&](const RunProgress& progress) { done = progress.framesDone; };
+  ASSERT_TRUE(runSimulation(scene, store, test::testOptions(3), callbacks, CancelToken()));
+  EXPECT_EQ(done, 4);
+  ASSERT_TRUE(runSimulation(scene, store, test::testOptions(8), callbacks, CancelToken()));
+  EXPECT_EQ(done, 5) << "frames 0 to 3 were there";
+}
+
 TEST_F(Simulation, EstimateCountsWhatIsMissing) {
   FrameStore store({folder.path("cache")});
   const RunEstimate before = estimateRun(scene, store, test::testOptions(9));

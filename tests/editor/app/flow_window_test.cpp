@@ -17,6 +17,7 @@
 #include "core/nodes/camera_node.h"
 #include "core/nodes/cover_nodes.h"
 #include "core/nodes/flow_nodes.h"
+#include "editor/app/file_flow.h"
 #include "editor/app/flow_defaults.h"
 #include "editor/app/main_actions.h"
 #include "editor/app/main_window.h"
@@ -114,6 +115,10 @@ class FlowWindowTest : public QObject {
       const auto added = f.window.tools().addNode(*type, QStringLiteral("New"));
       QVERIFY(added.ok());
       QVERIFY(f.document().node(*added));
+      QCOMPARE(f.document().selected(), *added);
+      const bool flows = type == &kAvalancheReleaseType || type == &kWaterSourceType;
+      QCOMPARE(f.document().scene().firstOf(kFlowSettingsType) != nullptr,
+               flows || type == &kFlowSettingsType);
       QCOMPARE(f.document().undoStack()->index(), before + 1);
       f.action("editUndo")->trigger();
       QVERIFY(!f.document().node(*added));
@@ -289,6 +294,53 @@ class FlowWindowTest : public QObject {
     simulation.stop();
   }
 
+  /// What is wrong with flow is told with its node before a run, once, and goes when it is mended.
+  void problemsOfFlowAreListed() {
+    Fixture f;
+    SimulationController& simulation = f.window.simulation();
+    QVERIFY(!f.addAsset(kTerrainType, "land.tif").empty());
+    const auto release = edit::addNode(f.document(), kAvalancheReleaseType, QStringLiteral("Slab"));
+    QVERIFY(release.ok());
+    const auto set = [&](const char* property, const Value& value) {
+      QVERIFY(edit::setValue(f.document(), *release, property, value).ok());
+    };
+    const auto told = [&](Severity severity) {
+      int count = 0;
+      for (const DocumentIssue& issue : f.document().issues())
+        count += issue.node == *release && issue.severity == severity ? 1 : 0;
+      return count;
+    };
+    set("depth_m", 0.5);
+    set("outline_m", PlanPoints{{100, 100}, {140, 100}, {140, 140}, {100, 140}});
+    QTRY_COMPARE_WITH_TIMEOUT(told(Severity::Warning), 1, 20000);
+    set("depth_m", 4.0);
+    QTRY_COMPARE_WITH_TIMEOUT(told(Severity::Warning), 0, 20000);
+    QCOMPARE(told(Severity::Error), 0);
+    set("outline_m", PlanPoints{{9100, 100}, {9140, 100}, {9140, 140}});
+    QTRY_COMPARE_WITH_TIMEOUT(told(Severity::Error), 1, 20000);
+    QSignalSpy finished(&simulation, &SimulationController::finished);
+    simulation.start();
+    QTRY_VERIFY_WITH_TIMEOUT(finished.count() > 0, 20000);
+    QCOMPARE(simulation.state(), SimulationController::State::Failed);
+    QTest::qWait(100);
+    QCOMPARE(told(Severity::Error), 1);
+    set("outline_m", PlanPoints{{100, 100}, {140, 100}, {140, 140}, {100, 140}});
+    simulation.start();
+    QTRY_COMPARE_WITH_TIMEOUT(told(Severity::Error), 0, 20000);
+    simulation.stop();
+  }
+
+  /// Another scene begins at its beginning, not where the last one was left.
+  void anotherSceneBeginsAtItsFirstFrame() {
+    Fixture f;
+    f.window.files().askUnsaved = [] { return FileFlow::Unsaved::Discard; };
+    f.window.time().setFrame(40);
+    f.window.timeline().setPlaying(true);
+    QVERIFY(f.window.files().newScene());
+    QCOMPARE(f.window.time().frame(), 0);
+    QVERIFY(!f.window.timeline().playing());
+  }
+
   void theNeedIsToldBeforeTheRun() {
     RunEstimate need;
     QVERIFY(estimateText(need).isEmpty());
@@ -303,6 +355,10 @@ class FlowWindowTest : public QObject {
     need.seconds = 200;
     QVERIFY(estimateText(need).contains(QStringLiteral("particles")));
     QVERIFY(estimateText(need).contains(QStringLiteral("about")));
+    need.seconds = 5e5;
+    QVERIFY2(estimateText(need).contains(QStringLiteral("5 days")), qPrintable(estimateText(need)));
+    need.seconds = 1e9;
+    QVERIFY2(estimateText(need).contains(QStringLiteral("31 years")), qPrintable(estimateText(need)));
     Fixture f;
     QSignalSpy told(&f.window.simulation(), &SimulationController::estimated);
     QVERIFY(!f.addAsset(kTerrainType, "land.tif").empty());
