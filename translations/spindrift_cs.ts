@@ -84,6 +84,17 @@
     </message>
 </context>
 <context>
+    <name>FlowReading</name>
+    <message>
+        <source>Flow %1 m/s</source>
+        <translation>Proud %1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 m above the ground</source>
+        <translation>%1 m nad zemí</translation>
+    </message>
+</context>
+<context>
     <name>Properties</name>
     <message>
         <source>Position</source>
@@ -2663,6 +2674,14 @@
         <source>Exported to %1.</source>
         <translation>Exportováno do %1.</translation>
     </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 d</translation>
+    </message>
+    <message>
+        <source>%1 years</source>
+        <translation>%1 r.</translation>
+    </message>
 </context>
 <context>
     <name>spin::ExportJob</name>
@@ -3746,6 +3765,10 @@
         <source>Choose the model that is copied</source>
         <translation>Vybrat model, který se kopíruje</translation>
     </message>
+    <message>
+        <source>The particles on the surface of rigid bodies that the flow pushes against; terrain has none</source>
+        <translation>Částice na povrchu tuhých těles, o které se proud opírá; terén žádné nemá</translation>
+    </message>
 </context>
 <context>
     <name>spin::MainWindow</name>
@@ -4080,6 +4103,10 @@
         <source>Stale frames deleted.</source>
         <translation>Zastaralé snímky smazány.</translation>
     </message>
+    <message>
+        <source>Simulation held; P goes on.</source>
+        <translation>Simulace pozastavena; P pokračuje.</translation>
+    </message>
 </context>
 <context>
     <name>spin::StagePanel</name>
@@ -4382,6 +4409,10 @@
     <message>
         <source>B: paint the selected layer; the right button in the list of nodes fills and imports it</source>
         <translation>B: malovat vybranou vrstvu; pravé tlačítko v seznamu uzlů ji vyplní nebo importuje</translation>
+    </message>
+    <message>
+        <source>Drag a corner or the middle. O: add and delete corners, B: paint the release</source>
+        <translation>Táhněte za roh nebo za střed. O: přidávat a mazat rohy, B: malovat odtrh</translation>
     </message>
 </context>
 </TS>

@@ -84,6 +84,17 @@
     </message>
 </context>
 <context>
+    <name>FlowReading</name>
+    <message>
+        <source>Flow %1 m/s</source>
+        <translation>流速 %1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 m above the ground</source>
+        <translation>高出地面 %1 m</translation>
+    </message>
+</context>
+<context>
     <name>Properties</name>
     <message>
         <source>Position</source>
@@ -2661,6 +2672,14 @@
         <source>Exported to %1.</source>
         <translation>已导出到 %1。</translation>
     </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 天</translation>
+    </message>
+    <message>
+        <source>%1 years</source>
+        <translation>%1 年</translation>
+    </message>
 </context>
 <context>
     <name>spin::ExportJob</name>
@@ -3738,6 +3757,10 @@
         <source>Choose the model that is copied</source>
         <translation>选择要复制的模型</translation>
     </message>
+    <message>
+        <source>The particles on the surface of rigid bodies that the flow pushes against; terrain has none</source>
+        <translation>刚体表面上受流体推挤的粒子；地形没有边界粒子</translation>
+    </message>
 </context>
 <context>
     <name>spin::MainWindow</name>
@@ -4070,6 +4093,10 @@
         <source>Stale frames deleted.</source>
         <translation>过期帧已删除。</translation>
     </message>
+    <message>
+        <source>Simulation held; P goes on.</source>
+        <translation>模拟已暂停；按 P 继续。</translation>
+    </message>
 </context>
 <context>
     <name>spin::StagePanel</name>
@@ -4370,6 +4397,10 @@
     <message>
         <source>B: paint the selected layer; the right button in the list of nodes fills and imports it</source>
         <translation>B：绘制所选图层；在节点列表中按右键可填充和导入</translation>
+    </message>
+    <message>
+        <source>Drag a corner or the middle. O: add and delete corners, B: paint the release</source>
+        <translation>拖动角点或中心。O：添加和删除角点，B：绘制释放区</translation>
     </message>
 </context>
 </TS>

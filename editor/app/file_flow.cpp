@@ -12,11 +12,18 @@
 
 namespace spin {
 
+namespace {
+
+/// Not every account has a folder for documents.
+QString firstFolder() {
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  return QFileInfo(documents).isDir() ? documents : QDir::homePath();
+}
+
+}  // namespace
+
 FileFlow::FileFlow(SceneDocument* document, QWidget* window)
-    : QObject(window),
-      m_lastFolder(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)),
-      m_document(document),
-      m_window(window) {
+    : QObject(window), m_lastFolder(firstFolder()), m_document(document), m_window(window) {
   askUnsaved = [this] {
     QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
                     tr("\"%1\" has changes that are not saved.").arg(m_document->displayName()),
@@ -60,6 +67,7 @@ bool FileFlow::open() {
 
 bool FileFlow::openPath(const QString& path) {
   if (!mayDiscard()) return false;
+  m_lastFolder = QFileInfo(path).absolutePath();
   const Status status = m_document->open(path);
   if (!status.ok()) showError(QString::fromStdString(status.error().text()));
   return status.ok();

@@ -29,6 +29,9 @@ void MainActions::addFlowMenu(QMenu* view) {
   menu->addSeparator();
   m_flowBoundary = add(menu, "flowBoundary", tr("&Boundary particles"), {}, {});
   m_flowBoundary->setCheckable(true);
+  m_flowBoundary->setToolTip(
+      tr("The particles on the surface of rigid bodies that the flow pushes against; terrain has none"));
+  menu->setToolTipsVisible(true);
   connect(m_flowBoundary, &QAction::triggered, this,
           [this](bool on) { m_window->tools().setPicture("show_flow_boundary", on); });
   connect(&m_window->document(), &SceneDocument::changed, this, &MainActions::showFlowSettings);

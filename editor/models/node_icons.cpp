@@ -184,20 +184,33 @@ Draw drawingOf(const QString& type) {
 
 }  // namespace
 
+namespace {
+
+QPixmap drawn(const QString& id, int size, const QColor& plate) {
+  QPixmap pixmap(size, size);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.scale(size / 16.0, size / 16.0);
+  painter.setBrush(plate);
+  painter.drawRoundedRect(QRectF(0, 0, 16, 16), 3, 3);
+  painter.setBrush(Qt::NoBrush);
+  drawingOf(id)(painter);
+  return pixmap;
+}
+
+}  // namespace
+
 QIcon nodeIcon(const NodeType& type) {
   static QHash<QString, QIcon> known;
   const QString id = QString::fromUtf8(type.id);
   if (known.contains(id)) return known.value(id);
   QIcon icon;
   for (const int size : {16, 32}) {
-    QPixmap pixmap(size, size);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.scale(size / 16.0, size / 16.0);
-    drawingOf(id)(painter);
-    icon.addPixmap(pixmap);
+    icon.addPixmap(drawn(id, size, Qt::transparent));
+    // Blue drawings would vanish on the blue of a selected row, and still more in the style's tint.
+    icon.addPixmap(drawn(id, size, QColor(20, 22, 26, 210)), QIcon::Selected);
   }
   known.insert(id, icon);
   return icon;
