@@ -64,7 +64,7 @@ struct SnowfallNode : NodeData {
   double gustLength = 25.0;        ///< m, wavelength of the largest eddies
   double boxSize = 48.0;           ///< m, edge of the wrap-round box at the camera
   int groups = 5;                  ///< of flakes by distance
-  int flakeCount = 500000;         ///< drawn flakes in the box
+  int flakeCount = 250000;         ///< drawn flakes in the box
   double sizeLawA = 0.0;           ///< constant of the sprites' size law, m2
   double sizeLawB = 0.0;           ///< its linear term, m
 };

@@ -5,6 +5,7 @@ flat in vec2 vStreak;
 flat in vec3 vFrames;
 flat in float vOpacity;
 flat in int vSamples;
+flat in float vSwarm;
 uniform int uShapeCount;
 layout(binding = 7) uniform sampler2DArray uShapes;
 layout(location = 0) out vec4 oColour;
@@ -19,12 +20,34 @@ float coverAt(vec2 place, vec2 dx, vec2 dy) {
   return mix(one, textureGrad(uShapes, vec3(uv, vFrames.y), dx, dy).r, vFrames.z);
 }
 
+vec4 hash4(vec2 cell) {
+  vec4 h = fract(vec4(cell.xyxy + vSwarm * 91.7) * vec4(0.1031, 0.1030, 0.0973, 0.1099));
+  h += dot(h, h.wzxy + 33.33);
+  return fract((h.xxyz + h.yzzw) * h.zywx);
+}
+
+// Cover of nine flakes of different size, turn and shape in three rows, none of which leaves its cell.
+float swarmAt(vec2 place, vec2 dx, vec2 dy) {
+  vec2 q = 3.0 * place + 1.5, cell = floor(q);
+  if (any(lessThan(cell, vec2(0.0))) || any(greaterThan(cell, vec2(2.0)))) return 0.0;
+  vec4 h = hash4(cell), more = hash4(cell + 7.0);
+  float scale = 3.0 / mix(0.45, 0.72, h.z), angle = 6.2831853 * h.w, c = cos(angle), s = sin(angle);
+  mat2 turn = scale * mat2(c, s, -s, c);
+  vec2 at = turn * (q - cell - 0.5 - 0.26 * (h.xy - 0.5)) / 3.0;
+  if (max(abs(at.x), abs(at.y)) > 0.5) return 0.0;
+  float shape = min(floor(more.x * float(uShapeCount)), float(uShapeCount) - 1.0);
+  float layer = 18.0 * shape + mod(vFrames.x + floor(18.0 * more.y), 18.0);
+  return textureGrad(uShapes, vec3(at + 0.5, layer), turn * dx, turn * dy).r;
+}
+
 void main() {
   vec2 dx = dFdx(vPlace), dy = dFdy(vPlace);
   float cover = vSamples < 0 ? 1.0 : 0.0;
   int samples = max(vSamples, 1);
-  for (int k = 0; k < samples && vSamples >= 0; ++k)
-    cover += coverAt(vPlace - vStreak * ((float(k) + 0.5) / float(samples) - 0.5), dx, dy);
+  for (int k = 0; k < samples && vSamples >= 0; ++k) {
+    vec2 place = vPlace - vStreak * ((float(k) + 0.5) / float(samples) - 0.5);
+    cover += vSwarm < 0.0 ? coverAt(place, dx, dy) : swarmAt(place, dx, dy);
+  }
   vec3 colour = uSun.rgb * 0.45 + uSky.rgb * 0.62 + uBounce.rgb * 0.35;
   oColour = vec4(shoulder(colour), vOpacity * cover / float(samples));
 }

@@ -12,11 +12,16 @@ flat out vec2 vStreak;      // motion during the exposure, in widths
 flat out vec3 vFrames;      // two layers of the atlas and the share of the second
 flat out float vOpacity;
 flat out int vSamples;      // along the motion; 0: the sprite itself is drawn out, -1: and even all over
+flat out float vSwarm;      // of a swarm: which one, 0..1; < 0: a single flake
 
 const int kFrames = 18;        // of a flake, as core/flake/flake_atlas.h has them
 const float kBlurred = 6.0;    // px, width from which a sprite's shape is blurred along its motion
 const float kShaped = 3.0;     // px, width from which it has a shape
 const float kLongestStreak = 400.0;
+const float kSwarmWeight = 4.0; // real flakes from which a sprite shows a swarm of nine small ones
+// A swarm's width over that of the one flake that would hide as much, and the width of its flakes over that.
+// Nine flakes of 0.45 to 0.72 of a cell hide 9 * 0.35 cells.
+const float kSwarmWidth = 1.69, kSwarmFlake = 0.33;
 
 float value(int which, int k) { return values[which * uCount + k]; }
 
@@ -26,6 +31,7 @@ void hide() {
   vFrames = vec3(0.0);
   vOpacity = 0.0;
   vSamples = 0;
+  vSwarm = -1.0;
 }
 
 vec4 clipOf(vec3 fromEye) {
@@ -57,12 +63,17 @@ void main() {
     return;
   }
 
+  bool swarm = weight >= kSwarmWeight && width >= kShaped && uShapeCount > 0;
+  float flake = swarm ? kSwarmFlake * width : width;
+  if (swarm) width *= kSwarmWidth;
+  vSwarm = swarm ? character : -1.0;
+
   vec4 end = clipOf(p + v * uLook.x);
   vec2 streak = end.w > 0.01 ? (end.xy / end.w - clip.xy / clip.w) * halfScreen : vec2(0.0);
   float drawn = min(length(streak), kLongestStreak);
   vec2 along = drawn > 0.01 ? normalize(streak) : vec2(1.0, 0.0), across = vec2(-along.y, along.x);
   float longer = 0.5 * (width + drawn);
-  bool blurred = width >= kBlurred;
+  bool blurred = swarm || width >= kBlurred;
   if (!blurred) vOpacity *= width / (width + drawn);
   // Blurred, the sprite also holds the corners of a turned picture.
   vec2 extent = blurred ? vec2(longer + 0.21 * width, 0.71 * width) : vec2(longer, 0.5 * width);
@@ -72,7 +83,7 @@ void main() {
   // Each flake is turned by an angle of its own besides what its frames show.
   float angle = 6.2831853 * fract(character * 57.31), c = cos(angle), s = sin(angle);
   mat2 turn = mat2(c, s, -s, c);
-  vSamples = blurred ? clamp(int(5.0 * drawn / width) + 1, 1, 32) : width < kShaped ? -1 : 0;
+  vSamples = blurred ? clamp(int(5.0 * drawn / flake) + 1, 1, swarm ? 8 : 32) : width < kShaped ? -1 : 0;
   // A square that hides what the circle in it would.
   if (vSamples < 0) vOpacity *= 0.785 * uLook.w;
   vPlace = blurred ? turn * offset / width : 0.5 * corner;
