@@ -44,6 +44,9 @@ void main() {
   vec2 dx = dFdx(vPlace), dy = dFdy(vPlace);
   float cover = vSamples < 0 ? 1.0 : 0.0;
   int samples = max(vSamples, 1);
+  // Few samples along a long way would show as a comb: each is as blurred as its part of the way is long.
+  vec2 part = 0.7 * vStreak / float(samples);
+  if (dot(part, part) > dot(dx, dx)) dx = part;
   for (int k = 0; k < samples && vSamples >= 0; ++k) {
     vec2 place = vPlace - vStreak * ((float(k) + 0.5) / float(samples) - 0.5);
     cover += vSwarm < 0.0 ? coverAt(place, dx, dy) : swarmAt(place, dx, dy);
