@@ -146,12 +146,26 @@ class SceneBuilder {
            false);
   }
 
+  /// Round the area in plan.
+  static Box3d boxOf(const ReleaseArea& area) {
+    Box3d box;
+    const double half = area.sampleSize();
+    for (const Vec3d& p : area.samples())
+      box.extend(p - Vec3d{half, half, 0}), box.extend(p + Vec3d{half, half, 0});
+    return box;
+  }
+
   /// Two slabs in one place are pressed apart at once, which looks like an explosion.
   void checkOverlap(const FlowRelease& release, const ReleaseArea& area) {
     const double all = std::max(static_cast<double>(area.samples().size()), 1.0);
+    const Box3d own = boxOf(area);
     for (std::size_t k = 0; k < m_out.releases.size(); ++k) {
       const FlowRelease& other = m_out.releases[k];
       if (other.data.releaseTime != release.data.releaseTime) continue;
+      const Box3d its = boxOf(m_areas[k]);
+      if (own.empty() || its.empty() || own.max.x < its.min.x || its.max.x < own.min.x ||
+          own.max.y < its.min.y || its.max.y < own.min.y)
+        continue;
       const auto both = std::count_if(area.samples().begin(), area.samples().end(),
                                       [&](const Vec3d& p) { return m_areas[k].contains(p.x, p.y); });
       if (const double share = static_cast<double>(both) / all; share > 0.005)

@@ -19,7 +19,8 @@ bool isWhole(const WindTable& t) {
   if (t.ratios.size() != t.columns() * static_cast<std::size_t>(t.layers)) return false;
   const bool finite = std::isfinite(t.originX) && std::isfinite(t.originY) && std::isfinite(t.top) &&
                       std::isfinite(t.cell) && t.cell > 0.0 && t.roughness > 0.0;
-  return finite && std::all_of(t.depth.begin(), t.depth.end(), [](float d) { return d > 0.0f; }) &&
+  return finite &&
+         std::all_of(t.depth.begin(), t.depth.end(), [](float d) { return std::isfinite(d) && d > 0.0f; }) &&
          std::is_sorted(t.levels.begin(), t.levels.end());
 }
 

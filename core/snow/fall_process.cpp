@@ -7,6 +7,7 @@
 #include "core/physics/drag.h"
 #include "core/physics/snow_visibility.h"
 #include "core/sim/flakes_part.h"
+#include "core/snow/exposure_field.h"
 #include "core/snow/fall_wind.h"
 #include "core/snow/snow_inputs.h"
 #include "core/snow/snow_processes.h"
@@ -16,7 +17,6 @@ namespace spin {
 namespace {
 
 constexpr Vec3d kGravity{0.0, 0.0, -kStandardGravity};
-constexpr double kCalm = 0.1;            // m/s, wind up to which land and models change nothing that shows
 constexpr double kFullSwingSpeed = 1.0;  // m/s of fall from which a flake swings by the whole amplitude
 constexpr int kCoverSamples = 4096;      // of the sizes, for what all flakes hide
 
@@ -44,12 +44,12 @@ class FallProcess final : public Process {
   }
 
   Status begin(const SceneSnapshot& scene, ProcessContext& context) override {
-    m_landWind = nullptr;
+    m_landWind = nullptr, m_solved = false;
     const SnowWeather weather = snowWeatherAt(scene, 0.0);
     m_classes.assign(kFlakeClasses, {});
     m_gust = {};
     m_filmTime = 0.0;
-    solveWind(scene, context);
+    if (const Status solved = solveWind(scene, context); !solved) return solved;
     for (std::size_t c = 0; c < m_classes.size(); ++c)
       m_classes[c].velocity = terminalVelocity(weather, speedOf(weather, c));
     return {};
@@ -58,7 +58,7 @@ class FallProcess final : public Process {
   Status step(const StepInput& input, ProcessContext& context) override {
     const SnowWeather weather = snowWeatherAt(input.scene, middleFilm(input));
     m_filmTime = input.to.film;
-    solveWind(input.scene, context);
+    if (const Status solved = solveWind(input.scene, context); !solved) return solved;
     const double h = input.to.film - input.from.film;
     if (!(h > 0.0)) return {};
     for (std::size_t c = 0; c < m_classes.size(); ++c) advance(m_classes[c], weather, speedOf(weather, c), h);
@@ -80,7 +80,7 @@ class FallProcess final : public Process {
     flakes.gust = m_gust;
     flakes.gust.strength = gustStrength(weather);
     flakes.wind = weather.wind;
-    if (length(weather.wind) > kCalm) flakes.landWind = m_landWind;
+    if (length(weather.wind) > FallWind::kCalm) flakes.landWind = m_landWind;
     if (weather.precipitation > 0.0) {
       flakes.numberDensity = weather.spectrum.numberDensity;
       flakes.extinction = snowExtinction(weather.spectrum.massConcentration);
@@ -99,14 +99,13 @@ class FallProcess final : public Process {
     out.put(m_filmTime);
   }
   Status loadState(const SceneSnapshot& scene, ProcessContext& context, ByteReader& in) override {
-    m_landWind = nullptr;
+    m_landWind = nullptr, m_solved = false;
     m_classes = in.getArray<ClassState>();
     m_gust = in.get<GustState>();
     m_filmTime = in.get<double>();
     if (!in.ok() || !std::isfinite(m_filmTime) || m_classes.size() != static_cast<std::size_t>(kFlakeClasses))
       return badInput("The checkpoint could not be used", "fall", "its flakes do not fit the scene");
-    solveWind(scene, context);
-    return {};
+    return solveWind(scene, context);
   }
   void estimate(const SceneSnapshot&, double& stateBytes, double& frameBytes) const override {
     stateBytes = kFlakeClasses * sizeof(ClassState) + sizeof(GustState);
@@ -115,10 +114,13 @@ class FallProcess final : public Process {
 
  private:
   /// Solves the winds over the land when first one blows: it takes a second or more.
-  void solveWind(const SceneSnapshot& scene, ProcessContext& context) {
+  Status solveWind(const SceneSnapshot& scene, ProcessContext& context) {
     const SnowGroundPointer* ground = context.exchange.find<SnowGroundPointer>();
-    if (m_landWind || !ground || !(length(snowWeatherAt(scene, m_filmTime).wind) > kCalm)) return;
-    m_landWind = makeFallWindTable(scene, **ground, context.backend);
+    if (m_solved || !ground || !(length(snowWeatherAt(scene, m_filmTime).wind) > FallWind::kCalm)) return {};
+    m_landWind = makeFallWindTable(scene, **ground, context.backend, context.cancel);
+    if (context.cancel.cancelled()) return cancelledError();
+    m_solved = true;
+    return {};
   }
   static double gustStrength(const SnowWeather& weather) {
     return weather.snowfall.gustIntensity * length(weather.wind);
@@ -172,7 +174,8 @@ class FallProcess final : public Process {
     return sum / kCoverSamples;
   }
 
-  std::shared_ptr<const WindTable> m_landWind;
+  std::shared_ptr<const WindTable> m_landWind;  ///< null: not asked for yet, or there is no land
+  bool m_solved = false;
   std::vector<ClassState> m_classes;
   GustState m_gust;
   double m_filmTime = 0.0;  ///< s, to which they were moved

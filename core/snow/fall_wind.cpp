@@ -22,16 +22,19 @@ constexpr double kRim = 0.15;     ///< share of the columns over which the chang
 /// Columns that a step goes back along the way of fall. Beyond the diagonal of a column the four round its
 /// start have all been found before.
 constexpr double kStepColumns = 3.0;
-constexpr double kMiddleSize = 2.0;  ///< -log(1 - u) of the flakes that hide most
 
 /// Land and models in plan that the columns stand on.
 struct Plan {
   double x0, y0, x1, y1;
 };
 
-Plan planOf(const SceneSnapshot& scene, const std::vector<StandingModel>& models) {
-  const Raster<float>& h = scene.terrain->heights;
-  const Plan land{h.x(0), h.y(0), h.x(h.width - 1), h.y(h.height - 1)};
+Plan planOf(const Raster<float>& h) {
+  return {h.x(0), h.y(0), h.x(h.width - 1), h.y(h.height - 1)};
+}
+
+/// Round the models on the land; all of it where none stands there.
+Plan planRound(const std::vector<StandingModel>& models, const Raster<float>& heights) {
+  const Plan land = planOf(heights);
   Box3d box;
   for (const StandingModel& model : models)
     for (const PlacedTriangle& triangle : model.triangles)
@@ -58,30 +61,35 @@ Raster<float> heightsOver(const Plan& plan, const Raster<float>& heights) {
   return over;
 }
 
-/// Heights above the ground at which shifts are kept.
-std::vector<double> levelsUpTo(double top) {
+/// Shares of the air's depth at which shifts are kept: the middles of the field's layers, between which the
+/// field itself is interpolated, the ground and the top.
+std::vector<double> levelsOf(const WindTable& table) {
   std::vector<double> levels{0.0};
-  for (double step = 1.5; levels.back() < top; step *= 1.25) levels.push_back(levels.back() + step);
+  for (std::size_t k = 0; k + 1 < table.levels.size(); ++k)
+    levels.push_back(0.5 * (table.levels[k] + table.levels[k + 1]));
+  levels.push_back(1.0);
   return levels;
-}
-
-double fallSpeedOf(const FallingFlakes& flakes) {
-  return flakes.classes[static_cast<std::size_t>(flakeClassOf(kMiddleSize))].fallSpeed;
 }
 
 }  // namespace
 
 std::shared_ptr<const WindTable> makeFallWindTable(const SceneSnapshot& scene, const SnowGround& ground,
-                                                   CpuBackend& backend) {
+                                                   CpuBackend& backend, const CancelToken& cancel) {
   if (!scene.terrain || ground.terrain.empty()) return nullptr;
   const std::vector<StandingModel> models = modelsAtStart(scene, ground);
-  const Raster<float> heights = heightsOver(planOf(scene, models), scene.terrain->heights);
-  WindSettings settings;
-  settings.mostColumns = kMostColumns;
-  settings.firstLayer = std::clamp(heights.cellSize, 1.0, 4.0);
-  settings.tolerance = 1e-4;
-  const auto field = WindField::make(heights, {obstacleTops(heights, models)}, settings, backend);
-  return field ? registryOf<WindTable>().intern(field->table()) : nullptr;
+  // Models may stand where there is no ground.
+  for (const Plan& plan : {planRound(models, scene.terrain->heights), planOf(scene.terrain->heights)}) {
+    const Raster<float> heights = heightsOver(plan, scene.terrain->heights);
+    WindSettings settings;
+    settings.mostColumns = kMostColumns;
+    settings.firstLayer = std::clamp(heights.cellSize, 1.0, 4.0);
+    settings.tolerance = 1e-4;
+    settings.cancel = &cancel;
+    const auto field = WindField::make(heights, {obstacleTops(heights, models)}, settings, backend);
+    if (field) return registryOf<WindTable>().intern(field->table());
+    if (cancel.cancelled()) break;
+  }
+  return nullptr;
 }
 
 /// A place among four columns.
@@ -112,14 +120,17 @@ double FallWind::groundAt(const Spot& spot) const {
   return sum;
 }
 
-Vec3d FallWind::sample(const Spot& spot, double above) const {
-  const auto after = std::upper_bound(m_levels.begin() + 1, m_levels.end() - 1, above);
-  const auto k = static_cast<std::size_t>(after - m_levels.begin()) - 1;
-  const double f = std::clamp((above - m_levels[k]) / (m_levels[k + 1] - m_levels[k]), 0.0, 1.0);
+Vec3d FallWind::sample(const std::vector<Vec3f>& values, const Spot& spot, double above) const {
   Vec3d sum{};
   for (std::size_t c = 0; c < 4; ++c) {
-    const Vec3f* shift = m_shift.data() + spot.column[c] * m_levels.size() + k;
-    sum += (shift[0].to<double>() * (1.0 - f) + shift[1].to<double>() * f) * spot.weight[c];
+    if (spot.weight[c] == 0.0) continue;
+    const std::size_t column = spot.column[c];
+    const double share = above / static_cast<double>(m_field.table()->depth[column]);
+    const auto after = std::upper_bound(m_levels.begin() + 1, m_levels.end() - 1, share);
+    const auto k = static_cast<std::size_t>(after - m_levels.begin()) - 1;
+    const double f = std::clamp((share - m_levels[k]) / (m_levels[k + 1] - m_levels[k]), 0.0, 1.0);
+    const Vec3f* at = values.data() + column * m_levels.size() + k;
+    sum += (at[0].to<double>() * (1.0 - f) + at[1].to<double>() * f) * spot.weight[c];
   }
   return sum;
 }
@@ -135,81 +146,100 @@ double FallWind::windowAt(double x, double y) const {
 }
 
 /// The shift at a node: that where a step back along the way of fall begins, and what the wind adds on it.
-Vec3d FallWind::arrive(Vec3d p) const {
-  const double speed = std::hypot(m_wind.x, m_wind.y);
-  const double seconds = kStepColumns * m_field.cellSize() / speed, climb = m_fallSpeed * seconds;
-  const Vec3d back = Vec3d{-m_wind.x, -m_wind.y, m_fallSpeed} * seconds;
-  const int parts = std::clamp(static_cast<int>(std::ceil(climb / 2.0)), 3, 24);
-  Vec3d change{};
+/// The parts of the step are the shorter the nearer they are: light wind comes from high above.
+Vec3d FallWind::arrive(Vec3d p, const std::vector<Vec3f>& change) const {
+  const double seconds = kStepColumns * m_field.cellSize() / std::hypot(m_wind.x, m_wind.y);
+  const Vec3d back = Vec3d{-m_wind.x, -m_wind.y, kMiddleFall} * seconds;
+  const int parts = std::clamp(static_cast<int>(std::ceil(std::sqrt(kMiddleFall * seconds))), 3, 16);
+  Vec3d sum{};
   for (int k = 0; k < parts; ++k) {
-    const Vec3d q = p + back * ((k + 0.5) / parts);
+    const double middle = (k + 0.5) / parts;
+    const Vec3d q = p + back * (middle * middle);
     Spot spot;
     if (!find(q.x, q.y, spot)) break;
-    const double above = std::max(q.z - groundAt(spot), 0.0);
-    change += m_field.changeAt(q.x, q.y, above, m_wind) * (windowAt(q.x, q.y) / parts);
+    if (q.z > m_field.table()->top) break;
+    const double above = q.z - groundAt(spot);
+    sum += sample(change, spot, std::max(above, 0.0)) * ((2.0 * k + 1.0) / (parts * parts));
   }
   Spot from;
   const Vec3d q = p + back;
   const bool inside = find(q.x, q.y, from);
-  const double above = inside ? q.z - groundAt(from) : 0.0;
-  return change * seconds + (inside && above < m_levels.back() ? sample(from, above) : Vec3d{});
+  if (!inside || q.z > m_field.table()->top) return sum * seconds;
+  return sum * seconds + sample(m_shift, from, std::max(q.z - groundAt(from), 0.0));
 }
 
-FallWind::FallWind(std::shared_ptr<const WindTable> table, Vec2d wind, double fallSpeed, CpuBackend& backend)
-    : m_field(std::move(table)), m_wind(wind), m_fallSpeed(fallSpeed) {
+FallWind::FallWind(std::shared_ptr<const WindTable> table, Vec2d wind, CpuBackend& backend)
+    : m_field(std::move(table)), m_wind(wind) {
   const WindTable& t = *m_field.table();
-  double deepest = 0.0;
-  for (const float depth : t.depth) {
-    m_ground.push_back(static_cast<float>(t.top) - depth);
-    deepest = std::max(deepest, static_cast<double>(depth));
-  }
-  m_levels = levelsUpTo(deepest);
-  m_shift.resize(t.columns() * m_levels.size());
-  // Columns in bands across the wind, so narrow that no step back ends in its own band.
+  for (const float depth : t.depth) m_ground.push_back(static_cast<float>(t.top) - depth);
+  m_levels = levelsOf(t);
+  const std::size_t levels = m_levels.size();
   const double speed = std::hypot(wind.x, wind.y);
+  const double grown = std::clamp((speed - kCalm) / (4.0 * kCalm), 0.0, 1.0);
+  m_strength = grown * grown * (3.0 - 2.0 * grown);
+  const auto width = static_cast<std::size_t>(t.width);
+  const auto placeOf = [&](std::size_t c) {
+    return Vec2d{t.originX + static_cast<double>(c % width) * t.cell,
+                 t.originY + static_cast<double>(c / width) * t.cell};
+  };
+  std::vector<Vec3f> change(t.columns() * levels);
+  m_shift.resize(change.size());
+  backend.forEach(
+      "flake wind", t.columns(),
+      [&](std::size_t c) {
+        const Vec2d at = placeOf(c);
+        const double window = windowAt(at.x, at.y);
+        for (std::size_t k = 0; k < levels; ++k)
+          change[c * levels + k] =
+              (m_field.changeAt(at.x, at.y, m_levels[k] * static_cast<double>(t.depth[c]), wind) * window)
+                  .to<float>();
+      },
+      8);
+  // Columns in bands across the wind, so narrow that no step back ends in its own band.
   const double band = (kStepColumns - std::sqrt(2.0)) * t.cell;
   std::vector<std::vector<std::size_t>> bands;
-  const auto along = [&](int i, int j) { return (i * wind.x + j * wind.y) / speed * t.cell; };
-  double least = 0.0;
-  for (const auto& [i, j] :
-       {std::pair{0, 0}, {t.width - 1, 0}, {0, t.height - 1}, {t.width - 1, t.height - 1}})
-    least = std::min(least, along(i, j));
-  for (int j = 0; j < t.height; ++j)
-    for (int i = 0; i < t.width; ++i) {
-      const auto number = static_cast<std::size_t>((along(i, j) - least) / band);
-      if (number >= bands.size()) bands.resize(number + 1);
-      bands[number].push_back(static_cast<std::size_t>(j) * static_cast<std::size_t>(t.width) +
-                              static_cast<std::size_t>(i));
-    }
+  const auto along = [&](std::size_t c) {
+    const Vec2d at = placeOf(c);
+    return (at.x * wind.x + at.y * wind.y) / speed;
+  };
+  double least = along(0);
+  for (const std::size_t corner : {width - 1, t.columns() - width, t.columns() - 1})
+    least = std::min(least, along(corner));
+  for (std::size_t c = 0; c < t.columns(); ++c) {
+    const auto number = static_cast<std::size_t>((along(c) - least) / band);
+    if (number >= bands.size()) bands.resize(number + 1);
+    bands[number].push_back(c);
+  }
   for (const std::vector<std::size_t>& columns : bands)
     backend.forEach(
         "flake wind", columns.size(),
         [&](std::size_t n) {
-          const std::size_t c = columns[n], width = static_cast<std::size_t>(t.width);
-          const double x = t.originX + static_cast<double>(c % width) * t.cell,
-                       y = t.originY + static_cast<double>(c / width) * t.cell;
-          for (std::size_t k = 0; k < m_levels.size(); ++k)
-            m_shift[c * m_levels.size() + k] =
-                arrive({x, y, static_cast<double>(m_ground[c]) + m_levels[k]}).to<float>();
+          const std::size_t c = columns[n];
+          const Vec2d at = placeOf(c);
+          for (std::size_t k = 0; k < levels; ++k)
+            m_shift[c * levels + k] =
+                arrive({at.x, at.y,
+                        static_cast<double>(m_ground[c]) + m_levels[k] * static_cast<double>(t.depth[c])},
+                       change)
+                    .to<float>();
         },
         8);
 }
 
 std::shared_ptr<const FallWind> FallWind::of(const FallingFlakes& flakes, CpuBackend& backend) {
-  if (!flakes.landWind || !(fallSpeedOf(flakes) > 0.0)) return nullptr;
-  return std::make_shared<FallWind>(flakes.landWind, Vec2d{flakes.wind.x, flakes.wind.y}, fallSpeedOf(flakes),
-                                    backend);
+  const Vec2d wind{flakes.wind.x, flakes.wind.y};
+  if (!flakes.landWind || !(std::hypot(wind.x, wind.y) > kCalm)) return nullptr;
+  return std::make_shared<FallWind>(flakes.landWind, wind, backend);
 }
 
 bool FallWind::holdsFor(const FallingFlakes& flakes) const {
-  return flakes.landWind == m_field.table() && flakes.wind.x == m_wind.x && flakes.wind.y == m_wind.y &&
-         fallSpeedOf(flakes) == m_fallSpeed;
+  return flakes.landWind == m_field.table() && flakes.wind.x == m_wind.x && flakes.wind.y == m_wind.y;
 }
 
 Vec3d FallWind::shiftAt(Vec3d p) const {
   Spot spot;
-  return find(p.x, p.y, spot) ? sample(spot, std::max(p.z - groundAt(spot), 0.0)) * windowAt(p.x, p.y)
-                              : Vec3d{};
+  if (!find(p.x, p.y, spot)) return {};
+  return sample(m_shift, spot, std::max(p.z - groundAt(spot), 0.0)) * (windowAt(p.x, p.y) * m_strength);
 }
 
 Vec3d FallWind::velocityAt(Vec3d p, Vec3d velocity) const {
@@ -220,8 +250,17 @@ Vec3d FallWind::velocityAt(Vec3d p, Vec3d velocity) const {
 }
 
 Vec3d FallWind::before(Vec3d p) const {
-  Vec3d q = p;
-  for (int k = 0; k < 12; ++k) q = p - shiftAt(q);
+  Vec3d q = p, rest = p - q - shiftAt(q);
+  double step = 1.0;
+  for (int k = 0; k < 16; ++k) {
+    const Vec3d next = q + rest * step, nextRest = p - next - shiftAt(next);
+    // Behind walls the shift changes so fast that whole steps run past.
+    if (length(nextRest) > length(rest)) {
+      step *= 0.5;
+      continue;
+    }
+    q = next, rest = nextRest;
+  }
   return q;
 }
 

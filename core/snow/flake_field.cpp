@@ -86,9 +86,17 @@ std::vector<std::array<double, 3>> centresOf(const FallingFlakes& flakes, const 
   return centres;
 }
 
-void setGroup(const FlakeGroup& group, const FlakeView& from, FlakeLookView& view) {
+/// A flake may reach a little way in from outside, and be blown in.
+double marginOf(const FlakeGroup& group, const FlakeView& view, Vec3d place) {
+  constexpr double kReach = 0.1;  // m
+  return view.wind ? kReach + view.wind->spread(place, 0.5 * group.box) : kReach;
+}
+
+/// place: where the eye looks from without the wind round land.
+void setGroup(const FlakeGroup& group, const FlakeView& from, Vec3d place, FlakeLookView& view) {
   const auto at = [](double v) { return static_cast<float>(v); };
   view.box = at(group.box);
+  if (view.frustum) view.margin = at(marginOf(group, from, place));
   // In light snow a group has more flakes than there are: only as many are shown, each of its own size.
   const double real = from.leastFade < 0.0 ? 1.0 : std::min(group.weight, 1.0);
   view.weight = at(group.weight / real);
@@ -112,12 +120,6 @@ void setView(const FlakeView& from, FlakeLookView& view) {
   view.tangentX = static_cast<float>(from.tangentX);
   view.tangentY = static_cast<float>(from.tangentY);
   view.leastFade = static_cast<float>(from.leastFade);
-}
-
-/// A flake may reach a little way in from outside, and be blown in.
-double marginOf(const FlakeView& view, Vec3d eye, const std::vector<FlakeGroup>& groups) {
-  constexpr double kReach = 0.1;  // m
-  return view.wind ? kReach + view.wind->spread(eye, 0.5 * groups.back().box) : kReach;
 }
 
 /// Takes flakes that were seen from a place without the wind round land to where they are with it, as seen
@@ -213,7 +215,6 @@ void FlakeField::look(const FallingFlakes& flakes, const std::vector<FlakeGroup>
   base.waveCount = wavesAt(flakes, modes, eye, base.waves);
   base.decaying = flakes.flutter == FlutterLaw::Decaying;
   setView(view, base);
-  base.margin = static_cast<float>(marginOf(view, eye, groups));
   std::vector<FlakeRow> rows;
   for (const FlakeClass& c : flakes.classes)
     rows.push_back(rowOf(c, flakes, modes, base.waves, base.waveCount));
@@ -222,7 +223,7 @@ void FlakeField::look(const FallingFlakes& flakes, const std::vector<FlakeGroup>
   for (const FlakeGroup& group : groups) {
     centres.push_back(centresOf(flakes, rows, eye, group.box));
     FlakeLookView& in = views.emplace_back(base);
-    setGroup(group, view, in);
+    setGroup(group, view, eye, in);
     for (std::size_t a = 0; a < 3; ++a) in.place[a] = m_seeds->place[a];
     for (std::size_t v = 0; v < kFlakeSeeds; ++v) in.seeds[v] = m_seeds->seeds[v];
     in.blockClass = m_seeds->blockClass.data();

@@ -162,7 +162,7 @@ double rootMeanSquare(const WindColumns& g, const WindFaces& flow) {
 }  // namespace
 
 WindBalance balanceWind(const WindColumns& g, const WindFaces& conductance, double tolerance,
-                        int mostIterations, CpuBackend& backend, WindFaces& flow) {
+                        int mostIterations, CpuBackend& backend, WindFaces& flow, const CancelToken* cancel) {
   const ColumnSystem system(g, conductance, backend);
   const NetFlow net(g, flow);
   const auto n = static_cast<std::size_t>(g.layers);
@@ -177,6 +177,7 @@ WindBalance balanceWind(const WindColumns& g, const WindFaces& conductance, doub
   double rz = system.dot(r, z);
   WindBalance balance;
   while (balance.iterations < mostIterations && std::sqrt(system.dot(r, r)) > goal && rz > 0.0) {
+    if (cancel && cancel->cancelled()) break;
     system.apply(d, q);
     const double alpha = rz / system.dot(d, q);
     backend.forEach("wind", p.size(), [&](std::size_t i) { p[i] += alpha * d[i], r[i] -= alpha * q[i]; });

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/base/cancel.h"
 #include "core/base/parallel.h"
 #include "core/fields/raster.h"
 
@@ -53,6 +54,7 @@ struct WindBalance {
 /// Changes the flow so that as much enters as leaves every box, by conjugate gradients over a potential that
 /// is 0 outside the open sides and the top; preconditioned by the exact solution of every column.
 WindBalance balanceWind(const WindColumns& g, const WindFaces& conductance, double tolerance,
-                        int mostIterations, CpuBackend& backend, WindFaces& flow);
+                        int mostIterations, CpuBackend& backend, WindFaces& flow,
+                        const CancelToken* cancel = nullptr);
 
 }  // namespace spin

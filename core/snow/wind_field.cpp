@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/snow/exposure_field.h"
 #include "core/snow/wind_columns.h"
 
 namespace spin {
@@ -273,8 +274,9 @@ Result<WindField> WindField::make(const Raster<float>& ground, const std::vector
   const WindFaces conductance = windConductances(g, settings.verticalStiffness);
   for (const int axis : {0, 1}) {
     WindFaces flow = levelWind(g, axis, settings.roughness);
-    const WindBalance balance =
-        balanceWind(g, conductance, settings.tolerance, settings.mostIterations, backend, flow);
+    const WindBalance balance = balanceWind(g, conductance, settings.tolerance, settings.mostIterations,
+                                            backend, flow, settings.cancel);
+    if (settings.cancel && settings.cancel->cancelled()) return cancelledError();
     field.m_divergence = std::max(field.m_divergence, balance.divergence);
     field.m_iterations = std::max(field.m_iterations, balance.iterations);
     for (int j = 0; j < g.height; ++j)

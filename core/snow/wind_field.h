@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/cancel.h"
 #include "core/base/parallel.h"
 #include "core/base/result.h"
 #include "core/fields/raster.h"
@@ -27,6 +28,7 @@ struct WindSettings {
   double verticalStiffness = 1.5;
   double tolerance = 1e-5;  ///< for WindField::divergence()
   int mostIterations = 2000;
+  const CancelToken* cancel = nullptr;  ///< asked in every iteration; null = never
 };
 
 /// Wind 10 m above level ground: u(z) = u10 ln(z/z0)/ln(10 m/z0), 0 below z0, and no more above 300 m.

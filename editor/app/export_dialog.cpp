@@ -52,7 +52,7 @@ QString stoppedText() {
 
 QString durationText(double seconds) {
   if (seconds < 0.0) return {};
-  const auto total = static_cast<qint64>(std::lround(seconds));
+  const auto total = static_cast<qint64>(std::llround(std::min(seconds, 1e15)));
   if (total < 60) return ExportDialog::tr("%1 s").arg(total);
   if (total < 3600) return ExportDialog::tr("%1 min %2 s").arg(total / 60).arg(total % 60);
   constexpr qint64 kDay = 86400, kYear = 365 * kDay;

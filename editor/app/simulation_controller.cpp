@@ -59,6 +59,7 @@ SimulationController::SimulationController(SceneDocument* document, TimeContext*
 }
 
 SimulationController::~SimulationController() {
+  ++m_estimate, ++m_flowCheck;  // what waits is not begun
   m_runner->cancel();
   m_runner->wait();
   m_cleaner.waitForDone();
@@ -85,6 +86,7 @@ void SimulationController::openStore() {
   const std::string folder = cacheFolder().toStdString();
   if (m_store && m_storeFolder == folder) return;
   m_runner->cancel();
+  ++m_estimate, ++m_flowCheck;
   m_storeFolder = folder;
   m_store = std::make_shared<FrameStore>();
   m_storeReady = folder.empty();
@@ -102,6 +104,7 @@ void SimulationController::openStore() {
   Q_EMIT statesChanged();
   m_runWanted = m_automatic;
   m_debounce.start();
+  fetch();  // lest an answer from the store before comes last
 }
 
 void SimulationController::takeStore(const std::shared_ptr<FrameStore>& store) {
@@ -171,7 +174,12 @@ void SimulationController::stop() {
 
 void SimulationController::follow(const ChangeEvent& event) {
   if (event.kind == ChangeKind::Moved || event.kind == ChangeKind::Renamed) return;
-  if (event.kind == ChangeKind::Reset) m_snapshot = nullptr;
+  if (event.kind == ChangeKind::Reset) {
+    m_snapshot = nullptr;
+    ++m_flowCheck;
+    m_flowIssues.clear();
+    m_runError.reset();
+  }
   showLive();
   const SceneNode* node = m_document->node(event.node);
   const bool settings = node && node->as<SimulationNode>();
@@ -200,6 +208,9 @@ void SimulationController::takeSnapshot(const SnapshotPointer& snapshot,
   for (const AssetLibrary::Issue& issue : issues) found.push_back(issueOf(issue.error, issue.node));
   m_document->setIssues(QStringLiteral("assets"), std::move(found));
   if (!snapshot) {
+    ++m_flowCheck;
+    m_flowIssues.clear();
+    showProblems();
     setState(State::Failed);
     return;
   }

@@ -14,6 +14,8 @@ layout(location = 0) out vec4 oColour;
 // outside: a place that jumps with the sample would have none.
 float coverAt(vec2 place, vec2 dx, vec2 dy) {
   if (uShapeCount == 0) return max(1.0 - 4.0 * dot(place, place), 0.0);
+  // The smallest pictures of a flake have no clear rim.
+  if (max(abs(place.x), abs(place.y)) > 0.5) return 0.0;
   vec2 uv = place + 0.5;
   float one = textureGrad(uShapes, vec3(uv, vFrames.x), dx, dy).r;
   if (vSamples == 0) return one;

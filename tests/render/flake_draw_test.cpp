@@ -137,15 +137,22 @@ TEST_F(FlakeDraw, WhatAFlakeHidesDoesNotDependOnHowItIsDrawn) {
   ASSERT_TRUE(atlas.ok());
   s_renderer->setFlakeAtlas(std::make_shared<const FlakeAtlas>(*atlas));
   EXPECT_NEAR(lightOf(frameOf(flakes), scene, camera) / plain, 1.0, 0.25);  // frames cover by their tilt
+  // A swarm in place of six flakes, still and in motion.
+  const auto one = standing(0.015, perVolume, 0.4), six = standing(0.015, 6.0 * perVolume, 0.4);
+  const double single = lightOf(frameOf(one), scene, camera);
+  EXPECT_NEAR(lightOf(frameOf(six), scene, camera) / single, 6.0, 0.9);
+  auto fastSix = std::make_shared<FlakesPart>(*six);
+  for (FlakeClass& c : fastSix->flakes.classes) c.velocity = {2.0, 0.5, -1.0};
+  EXPECT_NEAR(lightOf(frameOf(fastSix), scene, camera) / single, 6.0, 0.9);
   s_renderer->setFlakeAtlas(nullptr);
   // Drawn out by its motion.
   auto fast = std::make_shared<FlakesPart>(*flakes);
   for (FlakeClass& c : fast->flakes.classes) c.velocity = {1.0, 0.5, -1.0};
   EXPECT_NEAR(lightOf(frameOf(fast), scene, camera) / plain, 1.0, 0.06);
-  // Half as many in the air, each half as much.
-  auto rare = std::make_shared<FlakesPart>(*flakes);
-  rare->flakes.numberDensity *= 0.5;
-  EXPECT_NEAR(lightOf(frameOf(rare), scene, camera) / plain, 0.5, 0.03);
+  // Twice as many in the air, each twice as much.
+  auto often = std::make_shared<FlakesPart>(*flakes);
+  often->flakes.numberDensity *= 2.0;
+  EXPECT_NEAR(lightOf(frameOf(often), scene, camera) / plain, 2.0, 0.1);
   // Smaller than a pixel.
   const auto tiny = standing(0.002, perVolume, 0.4);
   EXPECT_NEAR(lightOf(frameOf(tiny), scene, camera) / plain, 2.5e-3, 3e-4);
