@@ -83,7 +83,8 @@ void main() {
   // Each flake is turned by an angle of its own besides what its frames show.
   float angle = 6.2831853 * fract(character * 57.31), c = cos(angle), s = sin(angle);
   mat2 turn = mat2(c, s, -s, c);
-  vSamples = blurred ? clamp(int(5.0 * drawn / flake) + 1, 1, swarm ? 8 : 32) : width < kShaped ? -1 : 0;
+  int steps = int((swarm ? 2.0 : 5.0) * drawn / flake) + 1;
+  vSamples = blurred ? clamp(steps, 1, swarm ? 5 : 32) : width < kShaped ? -1 : 0;
   // A square that hides what the circle in it would.
   if (vSamples < 0) vOpacity *= 0.785 * uLook.w;
   vPlace = blurred ? turn * offset / width : 0.5 * corner;
