@@ -15,7 +15,7 @@
 namespace spin {
 namespace {
 
-constexpr int kMostColumns = 96;
+constexpr int kMostColumns = 80;  ///< summed up within a tenth of a second
 constexpr double kFinest = 0.5;   ///< m, side of a column
 constexpr double kMargin = 40.0;  ///< m round models, in which the wind finds back to its own
 constexpr double kRim = 0.15;     ///< share of the columns over which the change fades out at the rim
