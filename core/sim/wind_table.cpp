@@ -26,6 +26,31 @@ bool isWhole(const WindTable& t) {
 
 }  // namespace
 
+WindTable::Place WindTable::placeOf(double x, double y) const {
+  const double u = std::clamp((x - originX) / cell, 0.0, static_cast<double>(width - 1)),
+               v = std::clamp((y - originY) / cell, 0.0, static_cast<double>(height - 1));
+  const int i = std::min(static_cast<int>(u), std::max(width - 2, 0)),
+            j = std::min(static_cast<int>(v), std::max(height - 2, 0));
+  const double fu = u - i, fv = v - j;
+  const auto column = [&](int a, int b) {
+    return static_cast<std::size_t>(std::min(b, height - 1)) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(std::min(a, width - 1));
+  };
+  return {{column(i, j), column(i + 1, j), column(i, j + 1), column(i + 1, j + 1)},
+          {(1 - fu) * (1 - fv), fu * (1 - fv), (1 - fu) * fv, fu * fv}};
+}
+
+bool WindTable::holds(double x, double y) const {
+  const double u = (x - originX) / cell, v = (y - originY) / cell;
+  return u >= 0.0 && v >= 0.0 && u <= width - 1 && v <= height - 1;
+}
+
+double WindTable::groundHeight(const Place& place) const {
+  double air = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) air += place.weight[k] * static_cast<double>(depth[place.column[k]]);
+  return top - air;
+}
+
 void putShared(const WindTable& table, ByteWriter& out) {
   for (const int n : {table.width, table.height, table.layers}) out.put(n);
   for (const double v : {table.originX, table.originY, table.cell, table.roughness, table.top}) out.put(v);

@@ -26,6 +26,18 @@ struct WindTable {
   std::vector<double> levels;                       ///< heights of the layers' borders over that, 0 to 1
   std::vector<Ratios> ratios;                       ///< by column, layers within
 
+  /// A place among four columns.
+  struct Place {
+    std::array<std::size_t, 4> column{};
+    std::array<double, 4> weight{};
+  };
+  /// Beside the table that of its edge.
+  Place placeOf(double x, double y) const;
+  /// Whether a place lies between the centres of columns.
+  bool holds(double x, double y) const;
+  /// Ground under a place, m.
+  double groundHeight(const Place& place) const;
+
   std::size_t columns() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
   std::size_t bytes() const {
     return depth.size() * sizeof(float) + levels.size() * sizeof(double) + ratios.size() * sizeof(Ratios);

@@ -92,45 +92,21 @@ std::shared_ptr<const WindTable> makeFallWindTable(const SceneSnapshot& scene, c
   return nullptr;
 }
 
-/// A place among four columns.
-struct FallWind::Spot {
-  std::array<std::size_t, 4> column{};
-  std::array<double, 4> weight{};
-};
-
-bool FallWind::find(double x, double y, Spot& spot) const {
+/// Between the columns round p and their levels; below the ground that on it.
+Vec3d FallWind::sample(const std::vector<Vec3f>& values, Vec3d p) const {
   const WindTable& t = *m_field.table();
-  const double u = (x - t.originX) / t.cell, v = (y - t.originY) / t.cell;
-  if (!(u >= 0.0 && v >= 0.0 && u <= t.width - 1 && v <= t.height - 1)) return false;
-  const int i = std::min(static_cast<int>(u), std::max(t.width - 2, 0)),
-            j = std::min(static_cast<int>(v), std::max(t.height - 2, 0));
-  const double fu = u - i, fv = v - j;
-  const auto column = [&](int a, int b) {
-    return static_cast<std::size_t>(std::min(b, t.height - 1)) * static_cast<std::size_t>(t.width) +
-           static_cast<std::size_t>(std::min(a, t.width - 1));
-  };
-  spot = {{column(i, j), column(i + 1, j), column(i, j + 1), column(i + 1, j + 1)},
-          {(1 - fu) * (1 - fv), fu * (1 - fv), (1 - fu) * fv, fu * fv}};
-  return true;
-}
-
-double FallWind::groundAt(const Spot& spot) const {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < 4; ++k) sum += spot.weight[k] * static_cast<double>(m_ground[spot.column[k]]);
-  return sum;
-}
-
-Vec3d FallWind::sample(const std::vector<Vec3f>& values, const Spot& spot, double above) const {
+  const WindTable::Place place = t.placeOf(p.x, p.y);
+  const double above = std::max(p.z - t.groundHeight(place), 0.0);
   Vec3d sum{};
   for (std::size_t c = 0; c < 4; ++c) {
-    if (spot.weight[c] == 0.0) continue;
-    const std::size_t column = spot.column[c];
-    const double share = above / static_cast<double>(m_field.table()->depth[column]);
+    if (place.weight[c] == 0.0) continue;
+    const std::size_t column = place.column[c];
+    const double share = above / static_cast<double>(t.depth[column]);
     const auto after = std::upper_bound(m_levels.begin() + 1, m_levels.end() - 1, share);
     const auto k = static_cast<std::size_t>(after - m_levels.begin()) - 1;
     const double f = std::clamp((share - m_levels[k]) / (m_levels[k + 1] - m_levels[k]), 0.0, 1.0);
     const Vec3f* at = values.data() + column * m_levels.size() + k;
-    sum += (at[0].to<double>() * (1.0 - f) + at[1].to<double>() * f) * spot.weight[c];
+    sum += (at[0].to<double>() * (1.0 - f) + at[1].to<double>() * f) * place.weight[c];
   }
   return sum;
 }
@@ -151,27 +127,22 @@ Vec3d FallWind::arrive(Vec3d p, const std::vector<Vec3f>& change) const {
   const double seconds = kStepColumns * m_field.cellSize() / std::hypot(m_wind.x, m_wind.y);
   const Vec3d back = Vec3d{-m_wind.x, -m_wind.y, kMiddleFall} * seconds;
   const int parts = std::clamp(static_cast<int>(std::ceil(std::sqrt(kMiddleFall * seconds))), 3, 16);
+  const WindTable& t = *m_field.table();
   Vec3d sum{};
   for (int k = 0; k < parts; ++k) {
     const double middle = (k + 0.5) / parts;
     const Vec3d q = p + back * (middle * middle);
-    Spot spot;
-    if (!find(q.x, q.y, spot)) break;
-    if (q.z > m_field.table()->top) break;
-    const double above = q.z - groundAt(spot);
-    sum += sample(change, spot, std::max(above, 0.0)) * ((2.0 * k + 1.0) / (parts * parts));
+    if (!t.holds(q.x, q.y) || q.z > t.top) break;
+    sum += sample(change, q) * ((2.0 * k + 1.0) / (parts * parts));
   }
-  Spot from;
   const Vec3d q = p + back;
-  const bool inside = find(q.x, q.y, from);
-  if (!inside || q.z > m_field.table()->top) return sum * seconds;
-  return sum * seconds + sample(m_shift, from, std::max(q.z - groundAt(from), 0.0));
+  const bool inside = t.holds(q.x, q.y) && q.z <= t.top;
+  return sum * seconds + (inside ? sample(m_shift, q) : Vec3d{});
 }
 
 FallWind::FallWind(std::shared_ptr<const WindTable> table, Vec2d wind, CpuBackend& backend)
     : m_field(std::move(table)), m_wind(wind) {
   const WindTable& t = *m_field.table();
-  for (const float depth : t.depth) m_ground.push_back(static_cast<float>(t.top) - depth);
   m_levels = levelsOf(t);
   const std::size_t levels = m_levels.size();
   const double speed = std::hypot(wind.x, wind.y);
@@ -218,9 +189,7 @@ FallWind::FallWind(std::shared_ptr<const WindTable> table, Vec2d wind, CpuBacken
           const Vec2d at = placeOf(c);
           for (std::size_t k = 0; k < levels; ++k)
             m_shift[c * levels + k] =
-                arrive({at.x, at.y,
-                        static_cast<double>(m_ground[c]) + m_levels[k] * static_cast<double>(t.depth[c])},
-                       change)
+                arrive({at.x, at.y, t.top - (1.0 - m_levels[k]) * static_cast<double>(t.depth[c])}, change)
                     .to<float>();
         },
         8);
@@ -237,9 +206,8 @@ bool FallWind::holdsFor(const FallingFlakes& flakes) const {
 }
 
 Vec3d FallWind::shiftAt(Vec3d p) const {
-  Spot spot;
-  if (!find(p.x, p.y, spot)) return {};
-  return sample(m_shift, spot, std::max(p.z - groundAt(spot), 0.0)) * (windowAt(p.x, p.y) * m_strength);
+  if (!m_field.table()->holds(p.x, p.y)) return {};
+  return sample(m_shift, p) * (windowAt(p.x, p.y) * m_strength);
 }
 
 Vec3d FallWind::velocityAt(Vec3d p, Vec3d velocity) const {

@@ -51,10 +51,7 @@ class FallWind {
   double spread(Vec3d p, double halfBox) const;
 
  private:
-  struct Spot;
-  bool find(double x, double y, Spot& spot) const;
-  Vec3d sample(const std::vector<Vec3f>& values, const Spot& spot, double above) const;
-  double groundAt(const Spot& spot) const;
+  Vec3d sample(const std::vector<Vec3f>& values, Vec3d p) const;
   double windowAt(double x, double y) const;
   Vec3d arrive(Vec3d p, const std::vector<Vec3f>& change) const;
 
@@ -62,7 +59,6 @@ class FallWind {
   Vec2d m_wind;
   double m_strength = 1.0;       ///< share of the change that shows
   std::vector<double> m_levels;  ///< shares of the air's depth
-  std::vector<float> m_ground;   ///< m, by column
   std::vector<Vec3f> m_shift;    ///< by column, levels within
 };
 

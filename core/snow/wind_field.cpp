@@ -291,25 +291,8 @@ Result<WindField> WindField::make(const Raster<float>& ground, const std::vector
   return field;
 }
 
-WindField::Place WindField::placeOf(double x, double y) const {
-  const double u = std::clamp((x - m_table->originX) / m_table->cell, 0.0,
-                              static_cast<double>(m_table->width - 1)),
-               v = std::clamp((y - m_table->originY) / m_table->cell, 0.0,
-                              static_cast<double>(m_table->height - 1));
-  const int i = std::min(static_cast<int>(u), std::max(m_table->width - 2, 0)),
-            j = std::min(static_cast<int>(v), std::max(m_table->height - 2, 0));
-  const double fu = u - i, fv = v - j;
-  const auto column = [&](int a, int b) {
-    return static_cast<std::size_t>(std::min(b, m_table->height - 1)) *
-               static_cast<std::size_t>(m_table->width) +
-           static_cast<std::size_t>(std::min(a, m_table->width - 1));
-  };
-  return {{column(i, j), column(i + 1, j), column(i, j + 1), column(i + 1, j + 1)},
-          {(1 - fu) * (1 - fv), fu * (1 - fv), (1 - fu) * fv, fu * fv}};
-}
-
 std::array<double, 6> WindField::ratiosAt(double x, double y, double above) const {
-  const Place place = placeOf(x, y);
+  const WindTable::Place place = m_table->placeOf(x, y);
   std::array<double, 6> sum{};
   for (std::size_t corner = 0; corner < 4; ++corner) {
     if (place.weight[corner] == 0.0) continue;
@@ -354,11 +337,7 @@ Vec3d WindField::changeAt(double x, double y, double above, Vec2d wind) const {
 }
 
 double WindField::groundHeight(double x, double y) const {
-  const Place place = placeOf(x, y);
-  double depth = 0.0;
-  for (std::size_t corner = 0; corner < 4; ++corner)
-    depth += place.weight[corner] * static_cast<double>(m_table->depth[place.column[corner]]);
-  return m_table->top - depth;
+  return m_table->groundHeight(m_table->placeOf(x, y));
 }
 
 double WindField::speedUp(double x, double y, double above, Vec2d wind10) const {

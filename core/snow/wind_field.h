@@ -76,11 +76,6 @@ class WindField {
   int iterations() const { return m_iterations; }
 
  private:
-  struct Place {
-    std::array<std::size_t, 4> column;
-    std::array<double, 4> weight;
-  };
-  Place placeOf(double x, double y) const;
   std::array<double, 6> ratiosAt(double x, double y, double above) const;
 
   std::shared_ptr<const WindTable> m_table;

@@ -30,6 +30,8 @@ float coverAt(vec2 place, vec2 dx, vec2 dy) {
   return mix(one, textureGrad(uShapes, vec3(uv, vFrames.y), dx, dy).r, vFrames.z) * rounded(place, dx, dy);
 }
 
+const float kFrames = 18.0;  // of a flake, as in flake.vert
+
 vec4 hash4(vec2 cell) {
   vec4 h = fract(vec4(cell.xyxy + vSwarm * 91.7) * vec4(0.1031, 0.1030, 0.0973, 0.1099));
   h += dot(h, h.wzxy + 33.33);
@@ -46,7 +48,7 @@ float swarmAt(vec2 place, vec2 dx, vec2 dy) {
   vec2 at = turn * (q - cell - 0.5 - 0.26 * (h.xy - 0.5)) / 3.0;
   if (max(abs(at.x), abs(at.y)) > 0.5) return 0.0;
   float shape = min(floor(more.x * float(uShapeCount)), float(uShapeCount) - 1.0);
-  float layer = 18.0 * shape + mod(vFrames.x + floor(18.0 * more.y), 18.0);
+  float layer = kFrames * shape + mod(vFrames.x + floor(kFrames * more.y), kFrames);
   vec2 du = turn * dx, dv = turn * dy;
   return textureGrad(uShapes, vec3(at + 0.5, layer), du, dv).r * rounded(at, du, dv);
 }
