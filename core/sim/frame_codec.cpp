@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <mutex>
 
+#include "core/sim/air_part.h"
 #include "core/sim/bodies_part.h"
 #include "core/sim/flakes_part.h"
 #include "core/sim/frame.h"
@@ -20,6 +21,7 @@ struct PartRegistry {
   std::map<std::string, Loaders> kinds{{ParticlePart::kKind, {&ParticlePart::load, nullptr}},
                                        {CoverPart::kKind, {&CoverPart::load, &loadCoverShared}},
                                        {BodiesPart::kKind, {&BodiesPart::load, nullptr}},
+                                       {AirPart::kKind, {&AirPart::load, nullptr}},
                                        {FlakesPart::kKind, {&FlakesPart::load, &loadWindTable}}};
 };
 

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/base/cpu_features.h"
+#include "core/base/result.h"
+#include "core/base/timings.h"
+#include "core/math/vec.h"
+#include "core/sim/air_part.h"
+
+/// What hangs in the air: mist and powder on a staggered grid (Stam 1999; Harlow and Welch 1965), computed in
+/// bricks only where something is. SI, world axes with z up.
+namespace spin {
+
+class CpuBackend;
+
+/// What the air carries, per volume: mist, snow and vapour in kg/m3, warmth in K over the air round the
+/// cloud. Vapour is what is more than in the air round the cloud.
+enum class AirScalar : std::uint8_t { Mist, Snow, Warmth, Vapour };
+inline constexpr std::size_t kAirScalars = 4;
+using AirAmounts = std::array<double, kAirScalars>;  ///< kg; of warmth K m3
+
+/// How velocities are carried: the semi-Lagrangian scheme as published (Stam 1999, Wen), MacCormack with a
+/// clamp (Selle et al. 2008), or a clamped cubic interpolation.
+enum class AirAdvection : std::uint8_t { SemiLagrangian, MacCormack, Cubic };
+/// Conjugate gradients with a multigrid step as preconditioner, or sweeps as published.
+enum class AirPressure : std::uint8_t { Multigrid, Jacobi, GaussSeidel };
+/// Weight of a mixture of humid air with its load against the air round it; or as published: the difference
+/// of stacked cells (Mukai et al.), or rho = p / (R_av T) with R_av = R_a (1 + 0.378 phi) (Wang et al.).
+enum class AirBuoyancy : std::uint8_t { HumidAir, StackedCells, FogDensity };
+
+/// Something solid. Distances in m, positive in the air.
+struct AirSolid {
+  std::function<double(Vec3d)> distance;
+  std::function<Vec3d(Vec3d)>
+      velocity;  ///< m/s of its surface; empty: it stands still and is asked only once
+  Vec3d low{-1e30, -1e30, -1e30}, high{1e30, 1e30, 1e30};  ///< beyond there is none of it
+};
+
+struct AirConfig {
+  double cell = 1.0;  ///< m; > 0
+  Vec3d origin{};     ///< m, lower corner of cell (0, 0, 0) of brick (0, 0, 0)
+  std::array<std::int32_t, 3> lowBrick{}, highBrick{1, 1, 1};  ///< bricks that may be, the high ones beyond
+  std::array<bool, 6>
+      closed{};         ///< sides -x, +x, -y, +y, -z, +z of that box are walls; else air goes in and out
+  bool sticky = false;  ///< solids hold the air beside them; else it slides
+  std::array<Vec3d, 6> wallVelocity{};  ///< m/s of closed sides, where sticky
+  bool everywhere = false;              ///< all bricks of the box are computed from the start on
+
+  Vec3d gravity{0, 0, -9.80665};                     ///< m/s2
+  double temperature = 273.15, pressure = 101325.0;  ///< K, Pa, of the air round the cloud
+  double humidity = 0.8;                             ///< of that air, over water, 0..1
+  std::function<Vec3d(Vec3d)> wind;                  ///< m/s, of that air; empty: calm
+  AirBuoyancy buoyancy = AirBuoyancy::HumidAir;
+  bool evaporates = true;            ///< mist and vapour seek saturation
+  double viscosity = 0.0;            ///< m2/s, of velocities, implicit
+  double diffusivity = 0.0;          ///< m2/s, of what the air carries
+  std::array<double, 2> settling{};  ///< m/s, of mist and of snow in calm air; >= 0
+
+  AirAdvection advection = AirAdvection::MacCormack;
+  bool reflection = true;  ///< advection-reflection (Zehnder et al. 2018): two projections a step
+  AirPressure solver = AirPressure::Multigrid;
+  double tolerance = 1e-3;  ///< of the projection: residual over the right side, root mean squares
+  int mostIterations = 60;
+  int sweeps = 40;           ///< of Jacobi and Gauss-Seidel
+  double mostCourant = 4.0;  ///< cells that air goes in a sub-step at most; 0.1 to 100
+
+  std::vector<AirSolid> solids;
+  /// A brick whose cells all lie below these, and neighbours' too, is given up.
+  AirAmounts least{1e-6, 1e-5, 0.05, 1e-5};
+  double leastSpeed = 0.2;  ///< m/s, against the wind
+};
+
+/// Brought into the air at a place.
+struct AirSource {
+  Vec3d position{};
+  AirAmounts amounts{};
+  Vec3d impulse{};  ///< N s
+};
+
+/// Something that the air drags and that drags the air.
+struct AirDrag {
+  Vec3d position{};
+  Vec3d velocity{};   ///< m/s; comes back as it is afterwards
+  double mass = 0.0;  ///< kg
+  double rate = 0.0;  ///< 1/s: dv/dt = rate (air - v)
+};
+
+/// Came down in a cell, since it was last asked.
+struct AirDeposit {
+  Vec3d position{};               ///< centre of the cell
+  double mist = 0.0, snow = 0.0;  ///< kg
+};
+
+/// Every term is counted where it happens.
+struct AirBudget {
+  AirAmounts present{}, added{}, condensed{}, enteredSides{}, leftSides{}, deposited{}, givenUp{};
+  Vec3d addedImpulse{}, solidImpulse{};  ///< N s given to the air, and what had no open face to go to
+};
+
+struct AirStep {
+  double seconds = 0.0;
+  int subSteps = 0, solves = 0, iterations = 0;  ///< iterations of all solves
+  double residual = 0.0;                         ///< the largest that a solve left
+  bool reached = true;                           ///< all came below the tolerance
+  double fastest = 0.0;                          ///< m/s
+  std::size_t cells = 0;                         ///< that were computed
+};
+
+/// All that going on needs, bit for bit.
+struct AirState {
+  std::vector<std::array<std::int32_t, 3>> bricks;
+  std::vector<float> values;  ///< by field, then by brick: velocity's three, scalars, pressure
+  AirBudget budget;
+};
+
+class AirSolver {
+ public:
+  virtual ~AirSolver() = default;
+  /// Bricks come to be where needed. Beyond the box nothing is taken: amounts are booked as left.
+  virtual Status add(const std::vector<AirSource>& sources) = 0;
+  /// Particles and air exchange momentum for some time; what one loses the other gains. Unconditionally
+  /// stable: per cell the air and all that is in it are solved together, implicitly.
+  virtual Status drag(std::vector<AirDrag>& particles, double seconds) = 0;
+  /// Air velocity at places; where no brick is, the wind.
+  virtual std::vector<Vec3d> velocities(const std::vector<Vec3d>& places) const = 0;
+  /// Goes on by `seconds` (> 0), in sub-steps. Fails with what, where and stage if a value is not finite.
+  virtual Result<AirStep> step(double seconds) = 0;
+  /// Replaces solids that move (the same number in the same order as in the configuration).
+  virtual Status moveSolids(const std::vector<AirSolid>& solids) = 0;
+  virtual std::vector<AirDeposit> takeDeposits() = 0;
+  virtual AirBudget budget() const = 0;
+  /// Bricks and fields of a frame; `divergence` asks for that field as well.
+  virtual void publish(bool divergence, AirPart& part) const = 0;
+  virtual AirState state() const = 0;
+  virtual Status restore(const AirState& state) = 0;
+  virtual std::size_t cells() const = 0;
+  virtual std::size_t bytes() const = 0;
+  virtual StageTimings& timings() = 0;
+  virtual const char* device() const = 0;  ///< "cpu" or "cuda"
+};
+
+Result<std::unique_ptr<AirSolver>> makeAirSolverCpu(const AirConfig& config, const CpuBackend& like, Isa isa);
+
+}  // namespace spin
