@@ -2324,6 +2324,10 @@
         <source>n of the published shading: the higher, the smaller the highlight.</source>
         <translation>n zveřejněného osvětlení: čím vyšší, tím menší odlesk.</translation>
     </message>
+    <message>
+        <source>Mist and powder, OpenVDB</source>
+        <translation>Mlha a sněhový prach, OpenVDB</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>

@@ -2324,6 +2324,10 @@
         <source>n of the published shading: the higher, the smaller the highlight.</source>
         <translation>发表着色中的 n:越大高光越小。</translation>
     </message>
+    <message>
+        <source>Mist and powder, OpenVDB</source>
+        <translation>水雾和雪雾，OpenVDB</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>

@@ -41,6 +41,8 @@ double bytesPerFrame(const QString& id, double pixels, double particles, double 
   if (id == QStringLiteral("png16")) return pixels * 6 * 0.8;
   if (id == QStringLiteral("exr")) return pixels * 8 * 0.7;
   if (id == QStringLiteral("cover_tif")) return cells * 12;
+  // How much hangs in the air is known only once it was simulated.
+  if (id == QStringLiteral("vdb")) return 0.0;
   return particles * 44;
 }
 

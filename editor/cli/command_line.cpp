@@ -89,14 +89,14 @@ void addJob(CLI::App& command, Words& words, bool formats) {
   if (formats)
     command
         .add_option("--part", words.job.parts,
-                    "Part to write to caches (repeatable; default: all): flakes, flow, cover")
+                    "Part to write to caches (repeatable; default: all): flakes, flow, air, cover")
         ->type_name("PART")
         ->expected(1)
         ->take_all();
   if (formats)
     command
         .add_option("--format", words.job.formats,
-                    "Format to write (repeatable): png8, png16, exr, ply, vtp, cover_tif")
+                    "Format to write (repeatable): png8, png16, exr, ply, vtp, vdb, cover_tif")
         ->type_name("FORMAT")
         ->expected(1)
         ->take_all();

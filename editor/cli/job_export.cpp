@@ -77,8 +77,11 @@ Status makeOutputFolders(const JobOptions& options) {
 }
 
 std::string folderOfFormat(const std::string& format) {
-  static const std::map<std::string, std::string> kFolders{
-      {"png8", "images"}, {"ply", "particles"}, {"vtp", "paraview"}, {"cover_tif", "cover"}};
+  static const std::map<std::string, std::string> kFolders{{"png8", "images"},
+                                                           {"ply", "particles"},
+                                                           {"vtp", "paraview"},
+                                                           {"cover_tif", "cover"},
+                                                           {"vdb", "volumes"}};
   const auto found = kFolders.find(format);
   return found == kFolders.end() ? format : found->second;
 }

@@ -6,7 +6,7 @@ spinPackages=(
   cmake ninja-build g++ ccache pkg-config python3 git ca-certificates
   libeigen3-dev libtbb-dev libfmt-dev libxxhash-dev libblosc-dev libgtest-dev
   qt6-base-dev qt6-l10n-tools qt6-tools-dev qt6-tools-dev-tools
-  libgdal-dev libassimp-dev libopencv-dev libembree-dev libcli11-dev libepoxy-dev libgl-dev libegl-dev
+  libgdal-dev libassimp-dev libopencv-dev libopenvdb-dev libembree-dev libcli11-dev libepoxy-dev libgl-dev libegl-dev
   libgl1-mesa-dri libegl-mesa0 libegl1 libglx-mesa0 libxkbcommon-dev fonts-dejavu-core
 )
 
