@@ -44,6 +44,11 @@ struct AirSolid {
   Vec3d low{-1e30, -1e30, -1e30}, high{1e30, 1e30, 1e30};  ///< beyond there is none of it
 };
 
+/// Parts of a step that are done; for measuring one alone.
+struct AirStages {
+  bool forces = true, advectVelocity = true, advectScalars = true, diffuse = true, project = true;
+};
+
 struct AirConfig {
   double cell = 1.0;  ///< m; > 0
   Vec3d origin{};     ///< m, lower corner of cell (0, 0, 0) of brick (0, 0, 0)
@@ -51,7 +56,8 @@ struct AirConfig {
   std::array<bool, 6>
       closed{};         ///< sides -x, +x, -y, +y, -z, +z of that box are walls; else air goes in and out
   bool sticky = false;  ///< solids hold the air beside them; else it slides
-  std::array<Vec3d, 6> wallVelocity{};  ///< m/s of closed sides, where sticky
+  std::array<bool, 6> stickySides{};    ///< the same of closed sides
+  std::array<Vec3d, 6> wallVelocity{};  ///< m/s of closed sides that hold the air
   bool everywhere = false;              ///< all bricks of the box are computed from the start on
 
   Vec3d gravity{0, 0, -9.80665};                     ///< m/s2
@@ -61,7 +67,6 @@ struct AirConfig {
   AirBuoyancy buoyancy = AirBuoyancy::HumidAir;
   bool evaporates = true;            ///< mist and vapour seek saturation
   double viscosity = 0.0;            ///< m2/s, of velocities, implicit
-  double diffusivity = 0.0;          ///< m2/s, of what the air carries
   std::array<double, 2> settling{};  ///< m/s, of mist and of snow in calm air; >= 0
 
   AirAdvection advection = AirAdvection::MacCormack;
@@ -69,8 +74,11 @@ struct AirConfig {
   AirPressure solver = AirPressure::Multigrid;
   double tolerance = 1e-3;  ///< of the projection: residual over the right side, root mean squares
   int mostIterations = 60;
-  int sweeps = 40;           ///< of Jacobi and Gauss-Seidel
-  double mostCourant = 4.0;  ///< cells that air goes in a sub-step at most; 0.1 to 100
+  int sweeps = 40;                   ///< of Jacobi and Gauss-Seidel
+  double diffusionTolerance = 1e-5;  ///< of the implicit diffusion, as `tolerance`
+  double mostCourant = 4.0;          ///< cells that air goes in a sub-step at most; 0.1 to 100
+
+  AirStages stages;
 
   std::vector<AirSolid> solids;
   /// A brick whose cells all lie below these, and neighbours' too, is given up.
@@ -114,10 +122,19 @@ struct AirStep {
   std::size_t cells = 0;                         ///< that were computed
 };
 
-/// All that going on needs, bit for bit.
+inline constexpr std::size_t kAirFields = 10;
+
+/// All that going on needs, bit for bit, after takeDeposits().
 struct AirState {
   std::vector<std::array<std::int32_t, 3>> bricks;
-  std::vector<float> values;  ///< by field, then by brick: velocity's three, scalars, pressure
+  /// (field * bricks + brick) * kBrickCells + cell, cells as in AirField. Fields: velocity's three parts,
+  /// each at its cell's lower face, m/s; mist, snow, warmth, vapour per volume; two pressures (of the first
+  /// and the second projection of a step, as potentials in m/s; 0 = cold start); and, told only, the share of
+  /// a cell's volume that `per volume` means: 0 in solids.
+  std::vector<float> values;
+  /// Velocities at the upper faces of bricks that no brick lies beyond, along x, y and z, brick by brick.
+  std::array<std::vector<float>, 3> upper;
+  bool forward = false;  ///< order of the axes that scalars were carried along last
   AirBudget budget;
 };
 
@@ -131,6 +148,8 @@ class AirSolver {
   virtual Status drag(std::vector<AirDrag>& particles, double seconds) = 0;
   /// Air velocity at places; where no brick is, the wind.
   virtual std::vector<Vec3d> velocities(const std::vector<Vec3d>& places) const = 0;
+  /// Mist, snow and vapour in kg/m3 and warmth in K of the cells that hold the places; 0 where no brick is.
+  virtual std::vector<AirAmounts> densities(const std::vector<Vec3d>& places) const = 0;
   /// Goes on by `seconds` (> 0), in sub-steps. Fails with what, where and stage if a value is not finite.
   virtual Result<AirStep> step(double seconds) = 0;
   /// Replaces solids that move (the same number in the same order as in the configuration).

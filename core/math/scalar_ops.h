@@ -49,4 +49,15 @@ SPIN_HD_INLINE float selectLess(float a, float b, float x, float y) {
   return a < b ? x : y;
 }
 
+/// Towards zero.
+SPIN_HD_INLINE int toInt(float a) {
+  return static_cast<int>(a);
+}
+SPIN_HD_INLINE float toFloat(int a) {
+  return static_cast<float>(a);
+}
+SPIN_HD_INLINE float gather(const float* p, int index) {
+  return p[index];
+}
+
 }  // namespace spin

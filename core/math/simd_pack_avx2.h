@@ -76,8 +76,34 @@ SPIN_HD_INLINE IntPack operator+(IntPack a, IntPack b) {
 SPIN_HD_INLINE IntPack operator-(IntPack a, IntPack b) {
   return _mm256_sub_epi32(a.v, b.v);
 }
+SPIN_HD_INLINE IntPack operator*(IntPack a, IntPack b) {
+  return _mm256_mullo_epi32(a.v, b.v);
+}
 SPIN_HD_INLINE Pack toFloat(IntPack a) {
   return _mm256_cvtepi32_ps(a.v);
+}
+/// Towards zero.
+SPIN_HD_INLINE IntPack toInt(Pack a) {
+  return _mm256_cvttps_epi32(a.v);
+}
+/// p[index], lane by lane.
+SPIN_HD_INLINE Pack gather(const float* p, IntPack index) {
+  return _mm256_i32gather_ps(p, index.v, 4);
+}
+/// Every second of 2 kLanes floats, from the first one on.
+SPIN_HD_INLINE Pack loadEven(const float* p) {
+  const __m256 mixed = _mm256_shuffle_ps(_mm256_loadu_ps(p), _mm256_loadu_ps(p + 8), 0x88);
+  return _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(mixed), 0xD8));
+}
+/// Sums of neighbours p[2 l] + p[2 l + 1].
+SPIN_HD_INLINE Pack loadPairSums(const float* p) {
+  const __m256 mixed = _mm256_hadd_ps(_mm256_loadu_ps(p), _mm256_loadu_ps(p + 8));
+  return _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(mixed), 0xD8));
+}
+/// p[l / 2].
+SPIN_HD_INLINE Pack loadDoubled(const float* p) {
+  const __m256i order = _mm256_setr_epi32(0, 0, 1, 1, 2, 2, 3, 3);
+  return _mm256_permutevar8x32_ps(_mm256_castps128_ps256(_mm_loadu_ps(p)), order);
 }
 
 /// Smallest lane.

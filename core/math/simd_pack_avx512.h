@@ -76,8 +76,36 @@ SPIN_HD_INLINE IntPack operator+(IntPack a, IntPack b) {
 SPIN_HD_INLINE IntPack operator-(IntPack a, IntPack b) {
   return _mm512_sub_epi32(a.v, b.v);
 }
+SPIN_HD_INLINE IntPack operator*(IntPack a, IntPack b) {
+  return _mm512_mullo_epi32(a.v, b.v);
+}
 SPIN_HD_INLINE Pack toFloat(IntPack a) {
   return _mm512_cvtepi32_ps(a.v);
+}
+/// Towards zero.
+SPIN_HD_INLINE IntPack toInt(Pack a) {
+  return _mm512_cvttps_epi32(a.v);
+}
+/// p[index], lane by lane.
+SPIN_HD_INLINE Pack gather(const float* p, IntPack index) {
+  return _mm512_i32gather_ps(index.v, p, 4);
+}
+/// Every second of 2 kLanes floats, from the first one on.
+SPIN_HD_INLINE Pack loadEven(const float* p) {
+  const __m512i order = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+  return _mm512_permutex2var_ps(_mm512_loadu_ps(p), order, _mm512_loadu_ps(p + 16));
+}
+/// Sums of neighbours p[2 l] + p[2 l + 1].
+SPIN_HD_INLINE Pack loadPairSums(const float* p) {
+  const __m512i order = _mm512_setr_epi32(1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31);
+  const __m512i even = _mm512_sub_epi32(order, _mm512_set1_epi32(1));
+  const __m512 low = _mm512_loadu_ps(p), high = _mm512_loadu_ps(p + 16);
+  return _mm512_add_ps(_mm512_permutex2var_ps(low, even, high), _mm512_permutex2var_ps(low, order, high));
+}
+/// p[l / 2].
+SPIN_HD_INLINE Pack loadDoubled(const float* p) {
+  const __m512i order = _mm512_setr_epi32(0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7);
+  return _mm512_permutexvar_ps(order, _mm512_castps256_ps512(_mm256_loadu_ps(p)));
 }
 /// Smallest lane.
 SPIN_HD_INLINE std::int32_t lowest(IntPack a) {

@@ -78,8 +78,38 @@ SPIN_HD_INLINE IntPack operator+(IntPack a, IntPack b) {
 SPIN_HD_INLINE IntPack operator-(IntPack a, IntPack b) {
   return _mm_sub_epi32(a.v, b.v);
 }
+/// SSE2 multiplies every second lane.
+SPIN_HD_INLINE IntPack operator*(IntPack a, IntPack b) {
+  const __m128i even = _mm_mul_epu32(a.v, b.v);
+  const __m128i odd = _mm_mul_epu32(_mm_srli_epi64(a.v, 32), _mm_srli_epi64(b.v, 32));
+  return _mm_unpacklo_epi32(_mm_shuffle_epi32(even, 0x08), _mm_shuffle_epi32(odd, 0x08));
+}
 SPIN_HD_INLINE Pack toFloat(IntPack a) {
   return _mm_cvtepi32_ps(a.v);
+}
+/// Towards zero.
+SPIN_HD_INLINE IntPack toInt(Pack a) {
+  return _mm_cvttps_epi32(a.v);
+}
+/// p[index], lane by lane.
+SPIN_HD_INLINE Pack gather(const float* p, IntPack index) {
+  alignas(16) std::int32_t lane[4];
+  _mm_store_si128(reinterpret_cast<__m128i*>(lane), index.v);
+  return _mm_setr_ps(p[lane[0]], p[lane[1]], p[lane[2]], p[lane[3]]);
+}
+/// Every second of 2 kLanes floats, from the first one on.
+SPIN_HD_INLINE Pack loadEven(const float* p) {
+  return _mm_shuffle_ps(_mm_loadu_ps(p), _mm_loadu_ps(p + 4), 0x88);
+}
+/// Sums of neighbours p[2 l] + p[2 l + 1].
+SPIN_HD_INLINE Pack loadPairSums(const float* p) {
+  const __m128 low = _mm_loadu_ps(p), high = _mm_loadu_ps(p + 4);
+  return _mm_add_ps(_mm_shuffle_ps(low, high, 0x88), _mm_shuffle_ps(low, high, 0xDD));
+}
+/// p[l / 2].
+SPIN_HD_INLINE Pack loadDoubled(const float* p) {
+  const __m128 pair = _mm_castpd_ps(_mm_load_sd(reinterpret_cast<const double*>(p)));
+  return _mm_unpacklo_ps(pair, pair);
 }
 /// Smallest lane.
 SPIN_HD_INLINE std::int32_t lowest(IntPack a) {

@@ -47,6 +47,22 @@ TEST(SimdPackTest, ArithmeticIsLaneByLane) {
   }
 }
 
+TEST(SimdPackTest, ReadsBySelectedPlaces) {
+  std::array<float, 2 * kLanes> values{};
+  for (std::size_t l = 0; l < values.size(); ++l) values[l] = 0.5f * static_cast<float>(l * l);
+  const IntPack places = IntPack(2 * kLanes - 1) - IntPack(2) * IntPack::iota();
+  const Lanes picked = lanesOf(gather(values.data(), places)), even = lanesOf(loadEven(values.data()));
+  const Lanes pairs = lanesOf(loadPairSums(values.data())), doubled = lanesOf(loadDoubled(values.data()));
+  const Lanes whole = lanesOf(toFloat(toInt(Pack::load(ramp(-2.75f, 1.0f).data()))));
+  for (std::size_t l = 0; l < picked.size(); ++l) {
+    EXPECT_EQ(picked[l], values[values.size() - 1 - 2 * l]);
+    EXPECT_EQ(even[l], values[2 * l]);
+    EXPECT_EQ(pairs[l], values[2 * l] + values[2 * l + 1]);
+    EXPECT_EQ(doubled[l], values[l / 2]);
+    EXPECT_EQ(whole[l], std::trunc(-2.75f + static_cast<float>(l)));
+  }
+}
+
 TEST(SimdPackTest, CompressionKeepsTheSetLanesInOrder) {
   const Lanes a = ramp(10.0f, 1.0f);
   for (std::uint32_t bits = 0; bits < (1u << std::min(kLanes, 8)); ++bits) {

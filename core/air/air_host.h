@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/air/air_exchange.h"
+
+namespace spin {
+
+/// Copies of a window's arrays in host memory.
+struct HostFields {
+  std::array<std::vector<float>, 3> u;
+  std::array<std::vector<float>, kAirScalars> q;
+  std::array<std::vector<float>, 2> pressure;
+};
+
+std::vector<std::int32_t> firstCells(const AirWindow& window);
+/// Bricks to go on with: those that hold something, and as many round them as the cloud may reach in a
+/// sub-step.
+std::vector<BrickKey> bricksRound(const AirConfig& config, const AirWindow& window,
+                                  const std::vector<double>& activity);
+void appendDeposits(const AirConfig& config, const AirWindow& window, const std::vector<float>& mist,
+                    const std::vector<float>& snow, std::vector<AirDeposit>& to);
+void publishAir(const AirConfig& config, const AirWindow& window, const std::vector<BrickSolids>& solids,
+                const HostFields& fields, bool divergence, AirPart& part);
+/// Without budget and order.
+AirState packState(const AirWindow& window, const std::vector<BrickSolids>& solids, const HostFields& fields);
+Status checkAirState(const AirConfig& config, const AirState& state);
+/// Indices and values of AirState::upper along an axis.
+void listUpperFaces(const AirWindow& window, const AirState& state, std::size_t axis,
+                    std::vector<std::uint32_t>& index, std::vector<float>& values);
+
+}  // namespace spin

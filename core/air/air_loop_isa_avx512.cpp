@@ -1,0 +1,5 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+// Compiled for avx512 only, see core/CMakeLists.txt.
+#define SPIN_ISA isa_avx512
+#include "core/air/air_loop_impl.h"

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/air/velocity_passes.h"
+
+/// Passes over what the air carries. Values count per open volume: a cell holds value * volume * cell^3, with
+/// `volume` its open share, kept above a least so that cut cells do not rule the step.
+namespace spin {
+
+/// Carries a scalar along one axis by fluxes (van Leer 1977): what leaves a cell enters its neighbour. The
+/// cell's volume goes with it (Clappier 1998), so that in air without divergence a constant stays one through
+/// the three sweeps. The sum is what left for cells that are not computed.
+template <int axis>
+struct SweepPass {
+  static constexpr AirResult kResult = AirResult::Sum;
+  AirStrides strides;
+  const float *q, *volume;       ///< before
+  const float *u, *area, *open;  ///< u along the axis
+  const float* whole;            ///< volume to end with; null = write the one that is left
+  float *to, *volumeTo;
+  float cells;     ///< time over cell size
+  float settling;  ///< m/s downwards; along z only
+
+  template <class At>
+  SPIN_HD_INLINE typename At::Real operator()(const At& at) const {
+    using Real = typename At::Real;
+    const int step = axis == 0 ? 1 : axis == 1 ? strides.y : strides.z;
+    const Real zero = lit<Real>(0.0);
+    const Real low = way(at, 0), high = way(at, step);
+    const Real in = low * faceValue(at, low, 0, step), out = high * faceValue(at, high, step, step);
+    const Real own = at.load(volume), solved = at.load(open);
+    const Real content = at.load(q) * own + in - out, left = own + low - high;
+    const Real end = whole ? at.load(whole) : left;
+    at.store(content / maximum(end, lit<Real>(1e-6)) * solved, to);
+    if (!whole) at.store(left, volumeTo);
+    const Real lowOpen = at.load(open, -step), highOpen = at.load(open, step);
+    const Real one = lit<Real>(1.0);
+    return solved * (maximum(out, zero) * (one - highOpen) + maximum(-in, zero) * (one - lowOpen));
+  }
+
+ private:
+  /// Share of a cell's volume that goes through the lower face at that offset, upwards.
+  template <class At>
+  SPIN_HD_INLINE typename At::Real way(const At& at, int offset) const {
+    using Real = typename At::Real;
+    const Real speed = at.load(u, offset) - Real(settling);
+    return maximum(at.load(area, offset), lit<Real>(0.0)) * speed * Real(cells);
+  }
+  /// Value at the lower face at that offset: upwind, with a limited slope.
+  template <class At>
+  SPIN_HD_INLINE typename At::Real faceValue(const At& at, typename At::Real flux, int offset,
+                                             int step) const {
+    using Real = typename At::Real;
+    const Real zero = lit<Real>(0.0);
+    const Real a = at.load(q, offset - 2 * step), b = at.load(q, offset - step), c = at.load(q, offset),
+               d = at.load(q, offset + step);
+    const Real back = selectLess(zero, flux, a, d), up = selectLess(zero, flux, b, c),
+               down = selectLess(zero, flux, c, b);
+    const Real volumeUp = selectLess(zero, flux, at.load(volume, offset - step), at.load(volume, offset));
+    const Real courant = minimum(maximum(flux, -flux) / maximum(volumeUp, lit<Real>(1e-6)), lit<Real>(1.0));
+    // Twice the harmonic mean of both slopes, 0 at extremes.
+    const Real left = up - back, right = down - up, product = left * right;
+    const Real sum = left + right;
+    const Real safe = selectLess(zero, product, sum, lit<Real>(1.0));
+    const Real slope = selectLess(zero, product, lit<Real>(2.0) * product / safe, zero);
+    return mulAdd(lit<Real>(0.5) * (lit<Real>(1.0) - courant), slope, up);
+  }
+};
+
+/// Largest share of its volume that leaves a cell.
+struct OutflowPass {
+  static constexpr AirResult kResult = AirResult::Most;
+  AirStrides strides;
+  const float* u[3];
+  const float* area[3];
+  const float *open, *volume;
+  float cells, settling;
+
+  template <class At>
+  SPIN_HD_INLINE typename At::Real operator()(const At& at) const {
+    using Real = typename At::Real;
+    const Real out = pair(at, 0, 1, 0.0f) + pair(at, 1, strides.y, 0.0f) + pair(at, 2, strides.z, settling);
+    return Real(cells) * out / maximum(at.load(volume), lit<Real>(1e-6)) * at.load(open);
+  }
+
+ private:
+  template <class At>
+  SPIN_HD_INLINE typename At::Real pair(const At& at, int k, int step, float falls) const {
+    using Real = typename At::Real;
+    const Real zero = lit<Real>(0.0);
+    const Real low = (at.load(u[k]) - Real(falls)) * maximum(at.load(area[k]), zero);
+    const Real high = (at.load(u[k], step) - Real(falls)) * maximum(at.load(area[k], step), zero);
+    return maximum(high, zero) + maximum(-low, zero);
+  }
+};
+
+/// What settles on the solid below: its area in plan is what the cell's upper face is wider than its lower
+/// one. The sum is what came down.
+struct DepositPass {
+  static constexpr AirResult kResult = AirResult::Sum;
+  AirStrides strides;
+  const float *areaZ, *volume, *open;
+  float *q, *down;
+  float way;  ///< settling speed times time over cell size
+
+  template <class At>
+  SPIN_HD_INLINE typename At::Real operator()(const At& at) const {
+    using Real = typename At::Real;
+    const Real zero = lit<Real>(0.0), own = at.load(volume);
+    const Real plan = maximum(maximum(at.load(areaZ, strides.z), zero) - maximum(at.load(areaZ), zero), zero);
+    const Real share =
+        minimum(Real(way) * plan / maximum(own, lit<Real>(1e-6)), lit<Real>(1.0)) * at.load(open);
+    const Real gone = at.load(q) * share;
+    at.store(at.load(q) - gone, q);
+    const Real amount = gone * own;
+    at.store(at.load(down) + amount, down);
+    return amount;
+  }
+};
+
+/// Content of all cells.
+struct ContentPass {
+  static constexpr AirResult kResult = AirResult::Sum;
+  const float *q, *volume;
+
+  template <class At>
+  SPIN_HD_INLINE typename At::Real operator()(const At& at) const {
+    return at.load(q) * at.load(volume);
+  }
+};
+
+/// Largest magnitude.
+struct LargestPass {
+  static constexpr AirResult kResult = AirResult::Most;
+  const float* q;
+
+  template <class At>
+  SPIN_HD_INLINE typename At::Real operator()(const At& at) const {
+    const auto own = at.load(q);
+    return maximum(own, -own);
+  }
+};
+
+/// Largest of values over their leasts and of the speed against the wind over its own: below 1 a cell is as
+/// good as empty.
+struct ActivityPass {
+  static constexpr AirResult kResult = AirResult::Most;
+  AirStrides strides;
+  const float* q[4];
+  const float* u[3];
+  const float* area[3];
+  const float* open;
+  const float* wind[3];  ///< by brick, m/s
+  float least[4];
+  float leastSpeed;
+
+  template <class At>
+  SPIN_HD_INLINE typename At::Real operator()(const At& at) const {
+    using Real = typename At::Real;
+    Real most = lit<Real>(0.0);
+    for (int k = 0; k < 4; ++k) most = maximum(most, magnitude(at.load(q[k])) * Real(1.0f / least[k]));
+    for (int k = 0; k < 3; ++k) {
+      const Real apart = magnitude(at.load(u[k]) - Real(wind[k][at.brick])) * positive(at.load(area[k]));
+      most = maximum(most, apart * Real(1.0f / leastSpeed));
+    }
+    return most * at.load(open);
+  }
+
+ private:
+  template <class Real>
+  SPIN_HD_INLINE static Real magnitude(Real a) {
+    return maximum(a, -a);
+  }
+};
+
+}  // namespace spin

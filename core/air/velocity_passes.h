@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/air/pressure_passes.h"
+
+/// Passes over velocities, which lie at the lower faces of cells. Places are in cells from the lattice's
+/// corner.
+namespace spin {
+
+struct AirDims {
+  std::int32_t x = 0, y = 0, z = 0;
+};
+
+template <class Real>
+struct LatticePlace {
+  Real x, y, z;
+};
+
+/// The eight corners round a place of a field whose samples lie at whole numbers.
+template <class At>
+struct Corners {
+  using Real = typename At::Real;
+  using Int = typename At::Int;
+  Int first;
+  Real fx, fy, fz;
+
+  SPIN_HD_INLINE Corners(const LatticePlace<Real>& p, const AirDims& dims, const AirStrides& strides) {
+    const Real x = held(p.x, dims.x), y = held(p.y, dims.y), z = held(p.z, dims.z);
+    const Int ix = toInt(x), iy = toInt(y), iz = toInt(z);
+    fx = x - toFloat(ix);
+    fy = y - toFloat(iy);
+    fz = z - toFloat(iz);
+    first = ix + iy * Int(strides.y) + iz * Int(strides.z);
+  }
+
+  SPIN_HD_INLINE Real linear(const float* field, const AirStrides& s) const {
+    const Real low = plane(field, s.y), high = plane(field + s.z, s.y);
+    return mulAdd(fz, high - low, low);
+  }
+  /// Also the least and the largest of the corners.
+  SPIN_HD_INLINE Real linear(const float* field, const AirStrides& s, Real& least, Real& most) const {
+    Real v[8];
+    for (int c = 0; c < 8; ++c) v[c] = gather(field + (c & 1) + (c & 2 ? s.y : 0) + (c & 4 ? s.z : 0), first);
+    least = most = v[0];
+    for (int c = 1; c < 8; ++c) {
+      least = minimum(least, v[c]);
+      most = maximum(most, v[c]);
+    }
+    const Real a = mulAdd(fx, v[1] - v[0], v[0]), b = mulAdd(fx, v[3] - v[2], v[2]);
+    const Real c = mulAdd(fx, v[5] - v[4], v[4]), d = mulAdd(fx, v[7] - v[6], v[6]);
+    const Real low = mulAdd(fy, b - a, a), high = mulAdd(fy, d - c, c);
+    return mulAdd(fz, high - low, low);
+  }
+
+ private:
+  SPIN_HD_INLINE static Real held(Real p, int cells) {
+    return minimum(maximum(p, lit<Real>(0.0)), lit<Real>(static_cast<double>(cells) - 1.002));
+  }
+  SPIN_HD_INLINE Real plane(const float* field, int y) const {
+    const Real a = gather(field, first), b = gather(field + 1, first);
+    const Real c = gather(field + y, first), d = gather(field + y + 1, first);
+    const Real low = mulAdd(fx, b - a, a), high = mulAdd(fx, d - c, c);
+    return mulAdd(fy, high - low, low);
+  }
+};
+
+/// Velocity field of a lattice.
+struct VelocityView {
+  AirStrides strides;
+  AirDims dims;
+  const float* u[3];
+};
+
+/// Corners of component k round a place.
+template <class At>
+SPIN_HD_INLINE Corners<At> cornersOf(const VelocityView& v, int k, const LatticePlace<typename At::Real>& p) {
+  using Real = typename At::Real;
+  const Real half = lit<Real>(0.5);
+  LatticePlace<Real> q{p.x - half, p.y - half, p.z - half};
+  if (k == 0) q.x = p.x;
+  if (k == 1) q.y = p.y;
+  if (k == 2) q.z = p.z;
+  return Corners<At>(q, v.dims, v.strides);
+}
+
+/// Where the centre of the lower face along `axis` is.
+template <int axis, class At>
+SPIN_HD_INLINE LatticePlace<typename At::Real> faceOf(const At& at) {
+  using Real = typename At::Real;
+  return {at.lanesX() + lit<Real>(axis == 0 ? 0.0 : 0.5), lit<Real>(at.y + (axis == 1 ? 0.0 : 0.5)),
+          lit<Real>(at.z + (axis == 2 ? 0.0 : 0.5))};
+}
+
+/// Component k at that face: its own, or the mean of the four round it.
+template <int axis, class At>
+SPIN_HD_INLINE typename At::Real atFace(const VelocityView& v, const At& at, int k) {
+  if (k == axis) return at.load(v.u[k]);
+  const int steps[3] = {1, v.strides.y, v.strides.z};
+  const int along = steps[k], back = -steps[axis];
+  return lit<typename At::Real>(0.25) *
+         (at.load(v.u[k]) + at.load(v.u[k], along) + at.load(v.u[k], back) + at.load(v.u[k], along + back));
+}
+
+/// Where the air at a face comes from (cells < 0) or goes to: midpoint rule, `cells` = time over cell size.
+template <int axis, class At>
+SPIN_HD_INLINE LatticePlace<typename At::Real> traced(const VelocityView& v, const At& at, float cells) {
+  using Real = typename At::Real;
+  const LatticePlace<Real> p = faceOf<axis>(at);
+  const Real half(0.5f * cells), whole(cells);
+  const LatticePlace<Real> mid{mulAdd(half, atFace<axis>(v, at, 0), p.x),
+                               mulAdd(half, atFace<axis>(v, at, 1), p.y),
+                               mulAdd(half, atFace<axis>(v, at, 2), p.z)};
+  return {mulAdd(whole, cornersOf<At>(v, 0, mid).linear(v.u[0], v.strides), p.x),
+          mulAdd(whole, cornersOf<At>(v, 1, mid).linear(v.u[1], v.strides), p.y),
+          mulAdd(whole, cornersOf<At>(v, 2, mid).linear(v.u[2], v.strides), p.z)};
+}
+
+/// 1 where a lower face's velocity is computed: it is open and a solved cell touches it.
+template <class At>
+SPIN_HD_INLINE typename At::Real faceMoves(const At& at, const float* area, const float* open, int step) {
+  return positive(at.load(area)) * maximum(at.load(open), at.load(open, -step));
+}
+
+/// Semi-Lagrangian: `from` where the air comes from; the least and largest round that where asked.
+template <int axis>
+struct CarryPass {
+  static constexpr AirResult kResult = AirResult::None;
+  VelocityView v;
+  const float *from, *area, *open;
+  float *to, *least, *most;
+  float cells;  ///< time over cell size
+
+  template <class At>
+  SPIN_HD_INLINE void operator()(const At& at) const {
+    using Real = typename At::Real;
+    const Real moves = faceMoves(at, area, open, axis == 0 ? 1 : axis == 1 ? v.strides.y : v.strides.z);
+    const Corners<At> corners = cornersOf<At>(v, axis, traced<axis>(v, at, -cells));
+    Real low, high;
+    const Real value = corners.linear(from, v.strides, low, high);
+    at.store(selectLess(lit<Real>(0.0), moves, value, at.load(from)), to);
+    if (least) {
+      at.store(low, least);
+      at.store(high, most);
+    }
+  }
+};
+
+/// MacCormack (Selle et al. 2008): half of what carrying forth and back leaves is taken off, within the
+/// values round the place that the air comes from.
+template <int axis>
+struct CarryBackPass {
+  static constexpr AirResult kResult = AirResult::None;
+  VelocityView v;
+  const float *from, *carried, *area, *open, *least, *most;
+  float* to;
+  float cells;
+
+  template <class At>
+  SPIN_HD_INLINE void operator()(const At& at) const {
+    using Real = typename At::Real;
+    const Real moves = faceMoves(at, area, open, axis == 0 ? 1 : axis == 1 ? v.strides.y : v.strides.z);
+    const Real back = cornersOf<At>(v, axis, traced<axis>(v, at, cells)).linear(carried, v.strides);
+    const Real own = at.load(from), mended = mulAdd(lit<Real>(0.5), own - back, at.load(carried));
+    const Real held = minimum(maximum(mended, at.load(least)), at.load(most));
+    at.store(selectLess(lit<Real>(0.0), moves, held, own), to);
+  }
+};
+
+/// Clamped cubic interpolation (Catmull and Rom) where the air comes from.
+template <int axis>
+struct CarryCubicPass {
+  static constexpr AirResult kResult = AirResult::None;
+  VelocityView v;
+  const float *from, *area, *open;
+  float* to;
+  float cells;
+
+  template <class At>
+  SPIN_HD_INLINE void operator()(const At& at) const {
+    using Real = typename At::Real;
+    const Real moves = faceMoves(at, area, open, axis == 0 ? 1 : axis == 1 ? v.strides.y : v.strides.z);
+    LatticePlace<Real> p = traced<axis>(v, at, -cells);
+    // Two samples are needed on either side.
+    p.x = inside(p.x, v.dims.x);
+    p.y = inside(p.y, v.dims.y);
+    p.z = inside(p.z, v.dims.z);
+    const Corners<At> corners = cornersOf<At>(v, axis, p);
+    Real low, high;
+    corners.linear(from, v.strides, low, high);
+    Real wx[4], wy[4], wz[4];
+    weights(corners.fx, wx);
+    weights(corners.fy, wy);
+    weights(corners.fz, wz);
+    Real sum = lit<Real>(0.0);
+    for (int k = 0; k < 4; ++k)
+      for (int j = 0; j < 4; ++j) {
+        const float* row = from + (k - 1) * v.strides.z + (j - 1) * v.strides.y - 1;
+        Real along = wx[0] * gather(row, corners.first);
+        for (int i = 1; i < 4; ++i) along = mulAdd(wx[i], gather(row + i, corners.first), along);
+        sum = mulAdd(wz[k] * wy[j], along, sum);
+      }
+    const Real held = minimum(maximum(sum, low), high);
+    at.store(selectLess(lit<Real>(0.0), moves, held, at.load(from)), to);
+  }
+
+ private:
+  template <class Real>
+  SPIN_HD_INLINE static Real inside(Real p, int cells) {
+    return minimum(maximum(p, lit<Real>(1.6)), lit<Real>(static_cast<double>(cells) - 2.6));
+  }
+  template <class Real>
+  SPIN_HD_INLINE static void weights(Real f, Real* w) {
+    const Real half = lit<Real>(0.5), f2 = f * f, f3 = f2 * f;
+    w[0] = half * (lit<Real>(2.0) * f2 - f - f3);
+    w[1] = half * (lit<Real>(2.0) - lit<Real>(5.0) * f2 + lit<Real>(3.0) * f3);
+    w[2] = half * (f + lit<Real>(4.0) * f2 - lit<Real>(3.0) * f3);
+    w[3] = half * (f3 - f2);
+  }
+};
+
+/// Gives closed faces beside open ones a velocity to interpolate with: that of the open ones where the air
+/// slides, mirrored at the wall's where it sticks. Over all bricks near open ones.
+template <int axis>
+struct GhostPass {
+  static constexpr AirResult kResult = AirResult::None;
+  AirStrides strides;
+  const float *area, *sticks, *wall;  ///< sticks, wall: null = slides everywhere
+  float* u;
+
+  template <class At>
+  SPIN_HD_INLINE void operator()(const At& at) const {
+    using Real = typename At::Real;
+    const Real zero = lit<Real>(0.0), own = at.load(area), kept = at.load(u);
+    Real weight = zero, sum = zero;
+    for (const int step : {-1, 1, -strides.y, strides.y, -strides.z, strides.z}) {
+      const Real counts = positive(at.load(area, step));
+      weight = weight + counts;
+      sum = mulAdd(counts, at.load(u, step), sum);
+    }
+    Real value = sum / maximum(weight, lit<Real>(1.0));
+    if (sticks) {
+      const Real s = at.load(sticks);
+      value = mulAdd(s, lit<Real>(2.0) * (at.load(wall) - value), value);
+    }
+    // Only faces that are closed, and not the walls of the domain (negative), whose speed is known.
+    const Real closed = selectLess(zero, own, zero, selectLess(own, zero, zero, lit<Real>(1.0)));
+    at.store(selectLess(zero, closed, value, kept), u);
+  }
+};
+
+/// 2 a - b: the reflection (Zehnder et al. 2018).
+struct ReflectPass {
+  static constexpr AirResult kResult = AirResult::None;
+  const float* a[3];
+  float* b[3];
+
+  template <class At>
+  SPIN_HD_INLINE void operator()(const At& at) const {
+    for (int k = 0; k < 3; ++k)
+      at.store(mulAdd(lit<typename At::Real>(2.0), at.load(a[k]), -at.load(b[k])), b[k]);
+  }
+};
+
+struct CopyPass {
+  static constexpr AirResult kResult = AirResult::None;
+  const float* from[3];
+  float* to[3];
+
+  template <class At>
+  SPIN_HD_INLINE void operator()(const At& at) const {
+    for (int k = 0; k < 3; ++k) at.store(at.load(from[k]), to[k]);
+  }
+};
+
+struct CopyOnePass {
+  static constexpr AirResult kResult = AirResult::None;
+  const float* from;
+  float* to;
+
+  template <class At>
+  SPIN_HD_INLINE void operator()(const At& at) const {
+    at.store(at.load(from), to);
+  }
+};
+
+/// Largest of |u|, |v|, |w|.
+struct FastestPass {
+  static constexpr AirResult kResult = AirResult::Most;
+  const float* u[3];
+  const float* area[3];
+
+  template <class At>
+  SPIN_HD_INLINE typename At::Real operator()(const At& at) const {
+    using Real = typename At::Real;
+    Real most = lit<Real>(0.0);
+    for (int k = 0; k < 3; ++k) {
+      const Real value = at.load(u[k]) * positive(at.load(area[k]));
+      most = maximum(most, maximum(value, -value));
+    }
+    return most;
+  }
+};
+
+/// q = s + share times the sum over neighbours of (s - s there): the implicit diffusion's left side.
+/// Neighbours that do not move have s = 0; closed ones beside count where the air sticks, mirrored.
+template <int axis>
+struct DiffuseProductPass {
+  static constexpr AirResult kResult = AirResult::Sum;
+  AirStrides strides;
+  const float *area, *open, *sticks, *s;
+  float* q;
+  float share;
+
+  template <class At>
+  SPIN_HD_INLINE typename At::Real operator()(const At& at) const {
+    using Real = typename At::Real;
+    const Real zero = lit<Real>(0.0), own = at.load(s);
+    Real sum = zero;
+    for (const int step : {-1, 1, -strides.y, strides.y, -strides.z, strides.z}) {
+      const Real there = at.load(area, step);
+      Real closed = zero;
+      if (sticks) closed = lit<Real>(2.0) * own * at.load(sticks, step);
+      sum = sum + selectLess(zero, there, own - at.load(s, step), selectLess(there, zero, own, closed));
+    }
+    const Real moves = faceMoves(at, area, open, axis == 0 ? 1 : axis == 1 ? strides.y : strides.z);
+    const Real product = mulAdd(Real(share), sum, own) * moves;
+    at.store(product, q);
+    return product * own;
+  }
+};
+
+/// r = from - (left side of u); the sums of r^2.
+template <int axis>
+struct DiffuseResidualPass {
+  static constexpr AirResult kResult = AirResult::Sum;
+  AirStrides strides;
+  const float *area, *open, *sticks, *wall, *from, *u;
+  float* r;
+  float share;
+
+  template <class At>
+  SPIN_HD_INLINE typename At::Real operator()(const At& at) const {
+    using Real = typename At::Real;
+    const Real zero = lit<Real>(0.0), own = at.load(u);
+    Real sum = zero;
+    for (const int step : {-1, 1, -strides.y, strides.y, -strides.z, strides.z}) {
+      const Real there = at.load(area, step);
+      Real closed = zero;
+      if (sticks) closed = lit<Real>(2.0) * (own - at.load(wall, step)) * at.load(sticks, step);
+      const Real apart = own - at.load(u, step);
+      sum = sum + selectLess(zero, there, apart, selectLess(there, zero, apart, closed));
+    }
+    const Real moves = faceMoves(at, area, open, axis == 0 ? 1 : axis == 1 ? strides.y : strides.z);
+    const Real left = (at.load(from) - own - Real(share) * sum) * moves;
+    at.store(left, r);
+    return left * left;
+  }
+};
+
+/// Sum of squares where faces move.
+template <int axis>
+struct NormPass {
+  static constexpr AirResult kResult = AirResult::Sum;
+  AirStrides strides;
+  const float *area, *open, *u;
+
+  template <class At>
+  SPIN_HD_INLINE typename At::Real operator()(const At& at) const {
+    const auto value = at.load(u) * faceMoves(at, area, open,
+                                              axis == 0   ? 1
+                                              : axis == 1 ? strides.y
+                                                          : strides.z);
+    return value * value;
+  }
+};
+
+}  // namespace spin
