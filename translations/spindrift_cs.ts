@@ -2257,10 +2257,6 @@
         <translation>Blinn-Phong, jak byl zveřejněn</translation>
     </message>
     <message>
-        <source>Print what the colours of flow and snow mean where they stand for values.</source>
-        <translation>Vytiskne, co znamenají barvy proudu a sněhu tam, kde vyjadřují hodnoty.</translation>
-    </message>
-    <message>
         <source>Snow shows</source>
         <translation>Sníh ukazuje</translation>
     </message>
@@ -2327,6 +2323,82 @@
     <message>
         <source>Mist and powder, OpenVDB</source>
         <translation>Mlha a sněhový prach, OpenVDB</translation>
+    </message>
+    <message>
+        <source>Mist density</source>
+        <translation>Hustota mlhy</translation>
+    </message>
+    <message>
+        <source>Mist velocity</source>
+        <translation>Rychlost mlhy</translation>
+    </message>
+    <message>
+        <source>Excess temperature</source>
+        <translation>Teplotní rozdíl proti okolí</translation>
+    </message>
+    <message>
+        <source>Divergence</source>
+        <translation>Divergence</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Vypnuto</translation>
+    </message>
+    <message>
+        <source>Across x</source>
+        <translation>Kolmo k x</translation>
+    </message>
+    <message>
+        <source>Across y</source>
+        <translation>Kolmo k y</translation>
+    </message>
+    <message>
+        <source>Across z</source>
+        <translation>Kolmo k z</translation>
+    </message>
+    <message>
+        <source>Print what the colours of flow, snow and air mean where they stand for values.</source>
+        <translation>Vytiskne, co znamenají barvy proudu, sněhu a vzduchu tam, kde vyjadřují hodnoty.</translation>
+    </message>
+    <message>
+        <source>Air shows</source>
+        <translation>Vzduch ukazuje</translation>
+    </message>
+    <message>
+        <source>What the colours of mist and powder in the air tell: mass per volume, speed, how much warmer than the air around, or what the pressure solver left of the divergence. Natural colours draw them as they look.</source>
+        <translation>Co říkají barvy mlhy a sněhového prachu ve vzduchu: hmotnost v objemu, rychlost, oč jsou teplejší než okolní vzduch, nebo co z divergence nechal řešič tlaku. Přirozené barvy je kreslí tak, jak vypadají.</translation>
+    </message>
+    <message>
+        <source>Air slice</source>
+        <translation>Řez vzduchem</translation>
+    </message>
+    <message>
+        <source>Show the values of the air on a plane across this axis instead of in the whole cloud. Needs a value to show.</source>
+        <translation>Ukáže hodnoty vzduchu na rovině kolmé k této ose místo v celém oblaku. Vyžaduje zvolenou hodnotu.</translation>
+    </message>
+    <message>
+        <source>Slice at</source>
+        <translation>Poloha řezu</translation>
+    </message>
+    <message>
+        <source>Where the plane stands on its axis.</source>
+        <translation>Kde na své ose rovina stojí.</translation>
+    </message>
+    <message>
+        <source>Range of the frame&apos;s air</source>
+        <translation>Rozsah podle vzduchu snímku</translation>
+    </message>
+    <message>
+        <source>Spread the colours over what the frame&apos;s air has; off takes the range below, the same for all frames.</source>
+        <translation>Rozloží barvy na hodnoty, které má vzduch snímku; vypnuto použije níže zadaný rozsah, stejný pro všechny snímky.</translation>
+    </message>
+    <message>
+        <source>Air range from</source>
+        <translation>Rozsah vzduchu od</translation>
+    </message>
+    <message>
+        <source>Air range to</source>
+        <translation>Rozsah vzduchu do</translation>
     </message>
 </context>
 <context>
@@ -3772,6 +3844,22 @@
     <message>
         <source>The particles on the surface of rigid bodies that the flow pushes against; terrain has none</source>
         <translation>Částice na povrchu tuhých těles, o které se proud opírá; terén žádné nemá</translation>
+    </message>
+    <message>
+        <source>&amp;Air shows</source>
+        <translation>V&amp;zduch ukazuje</translation>
+    </message>
+    <message>
+        <source>Colours mist and powder in the air by this value, here and in exported pictures; the range of colours is set at the picture settings.</source>
+        <translation>Obarví mlhu a sněhový prach ve vzduchu touto hodnotou, zde i v exportovaných obrázcích; rozsah barev se nastavuje v nastavení obrázku.</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Řez</translation>
+    </message>
+    <message>
+        <source>Shows the value on a plane across this axis instead of in the whole cloud; where the plane stands is set at the picture settings.</source>
+        <translation>Ukáže hodnotu na rovině kolmé k této ose místo v celém oblaku; poloha roviny se nastavuje v nastavení obrázku.</translation>
     </message>
 </context>
 <context>

@@ -2257,10 +2257,6 @@
         <translation>Blinn-Phong(按发表形式)</translation>
     </message>
     <message>
-        <source>Print what the colours of flow and snow mean where they stand for values.</source>
-        <translation>在流动和雪的颜色表示数值时,标注其含义。</translation>
-    </message>
-    <message>
         <source>Snow shows</source>
         <translation>雪显示</translation>
     </message>
@@ -2327,6 +2323,82 @@
     <message>
         <source>Mist and powder, OpenVDB</source>
         <translation>水雾和雪雾，OpenVDB</translation>
+    </message>
+    <message>
+        <source>Mist density</source>
+        <translation>雾的密度</translation>
+    </message>
+    <message>
+        <source>Mist velocity</source>
+        <translation>雾的速度</translation>
+    </message>
+    <message>
+        <source>Excess temperature</source>
+        <translation>相对周围的温差</translation>
+    </message>
+    <message>
+        <source>Divergence</source>
+        <translation>散度</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Across x</source>
+        <translation>垂直于 x</translation>
+    </message>
+    <message>
+        <source>Across y</source>
+        <translation>垂直于 y</translation>
+    </message>
+    <message>
+        <source>Across z</source>
+        <translation>垂直于 z</translation>
+    </message>
+    <message>
+        <source>Print what the colours of flow, snow and air mean where they stand for values.</source>
+        <translation>在流动、雪和空气的颜色表示数值时,标注其含义。</translation>
+    </message>
+    <message>
+        <source>Air shows</source>
+        <translation>空气显示</translation>
+    </message>
+    <message>
+        <source>What the colours of mist and powder in the air tell: mass per volume, speed, how much warmer than the air around, or what the pressure solver left of the divergence. Natural colours draw them as they look.</source>
+        <translation>空气中水雾和雪粉的颜色表示什么:单位体积的质量、速度、比周围空气高出的温度,或压力求解后剩余的散度。自然颜色按其外观绘制。</translation>
+    </message>
+    <message>
+        <source>Air slice</source>
+        <translation>空气切片</translation>
+    </message>
+    <message>
+        <source>Show the values of the air on a plane across this axis instead of in the whole cloud. Needs a value to show.</source>
+        <translation>在垂直于此轴的平面上显示空气的数值,而不是在整个云团中显示。需要先选择要显示的数值。</translation>
+    </message>
+    <message>
+        <source>Slice at</source>
+        <translation>切片位置</translation>
+    </message>
+    <message>
+        <source>Where the plane stands on its axis.</source>
+        <translation>平面在其轴上的位置。</translation>
+    </message>
+    <message>
+        <source>Range of the frame&apos;s air</source>
+        <translation>按帧内空气取范围</translation>
+    </message>
+    <message>
+        <source>Spread the colours over what the frame&apos;s air has; off takes the range below, the same for all frames.</source>
+        <translation>将颜色分布到该帧空气的取值上;关闭时采用下面的范围,各帧相同。</translation>
+    </message>
+    <message>
+        <source>Air range from</source>
+        <translation>空气范围下限</translation>
+    </message>
+    <message>
+        <source>Air range to</source>
+        <translation>空气范围上限</translation>
     </message>
 </context>
 <context>
@@ -3764,6 +3836,22 @@
     <message>
         <source>The particles on the surface of rigid bodies that the flow pushes against; terrain has none</source>
         <translation>刚体表面上受流体推挤的粒子；地形没有边界粒子</translation>
+    </message>
+    <message>
+        <source>&amp;Air shows</source>
+        <translation>空气显示(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Colours mist and powder in the air by this value, here and in exported pictures; the range of colours is set at the picture settings.</source>
+        <translation>按此数值为空气中的水雾和雪粉着色,此处和导出的图片相同;颜色范围在图片设置中设定。</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>切片</translation>
+    </message>
+    <message>
+        <source>Shows the value on a plane across this axis instead of in the whole cloud; where the plane stands is set at the picture settings.</source>
+        <translation>在垂直于此轴的平面上显示该数值,而不是在整个云团中显示;平面的位置在图片设置中设定。</translation>
     </message>
 </context>
 <context>

@@ -30,6 +30,21 @@ constinit const std::array<Choice, 7> kSnowDisplayChoices{{
     {"exposure", SPIN_TR("Exposure to snowfall")},
 }};
 
+constinit const std::array<Choice, 5> kAirDisplayChoices{{
+    {"natural", SPIN_TR("Natural colours")},
+    {"density", SPIN_TR("Mist density")},
+    {"velocity", SPIN_TR("Mist velocity")},
+    {"temperature", SPIN_TR("Excess temperature")},
+    {"divergence", SPIN_TR("Divergence")},
+}};
+
+constinit const std::array<Choice, 4> kAirSliceChoices{{
+    {"off", SPIN_TR("Off")},
+    {"across_x", SPIN_TR("Across x")},
+    {"across_y", SPIN_TR("Across y")},
+    {"across_z", SPIN_TR("Across z")},
+}};
+
 namespace {
 
 constexpr Choice kSnowShadings[] = {
@@ -100,7 +115,7 @@ constexpr PropertyRow kRenderRows[] = {
         .affecting(Affects::Picture),
     property<&RenderNode::flowLegend>(
         "flow_legend", SPIN_TR("Show legend"),
-        SPIN_TR("Print what the colours of flow and snow mean where they stand for values."))
+        SPIN_TR("Print what the colours of flow, snow and air mean where they stand for values."))
         .affecting(Affects::Picture),
     property<&RenderNode::showFlowBoundary>("show_flow_boundary", SPIN_TR("Show boundary particles"),
                                             SPIN_TR("Draw the particles that stand for moving bodies."))
@@ -127,6 +142,43 @@ constexpr PropertyRow kRenderRows[] = {
         "snow_range_high", SPIN_TR("Snow range to"),
         SPIN_TR("Value of the brightest colour, in the unit that the legend shows."))
         .range(-1e6, 1e6, 0.5)
+        .animated()
+        .affecting(Affects::Picture),
+    property<&RenderNode::airDisplay>(
+        "air_display", SPIN_TR("Air shows"),
+        SPIN_TR(
+            "What the colours of mist and powder in the air tell: mass per volume, speed, how much warmer "
+            "than the air around, or what the pressure solver left of the divergence. Natural colours draw "
+            "them as they look."))
+        .oneOf(kAirDisplayChoices)
+        .affecting(Affects::Picture),
+    property<&RenderNode::airSlice>(
+        "air_slice", SPIN_TR("Air slice"),
+        SPIN_TR("Show the values of the air on a plane across this axis instead of in the whole cloud. Needs "
+                "a value to show."))
+        .oneOf(kAirSliceChoices)
+        .affecting(Affects::Picture),
+    property<&RenderNode::airSlicePosition>("air_slice_position_m", SPIN_TR("Slice at"),
+                                            SPIN_TR("Where the plane stands on its axis."))
+        .in(Unit::Metre)
+        .range(-1e6, 1e6, 1)
+        .animated()
+        .affecting(Affects::Picture),
+    property<&RenderNode::airRangeAuto>(
+        "air_range_auto", SPIN_TR("Range of the frame's air"),
+        SPIN_TR("Spread the colours over what the frame's air has; off takes the range below, the same for "
+                "all frames."))
+        .affecting(Affects::Picture),
+    property<&RenderNode::airRangeLow>(
+        "air_range_low", SPIN_TR("Air range from"),
+        SPIN_TR("Value of the darkest colour, in the unit that the legend shows."))
+        .range(-1e6, 1e6, 0.1)
+        .animated()
+        .affecting(Affects::Picture),
+    property<&RenderNode::airRangeHigh>(
+        "air_range_high", SPIN_TR("Air range to"),
+        SPIN_TR("Value of the brightest colour, in the unit that the legend shows."))
+        .range(-1e6, 1e6, 0.1)
         .animated()
         .affecting(Affects::Picture),
     property<&RenderNode::snowShading>(

@@ -33,6 +33,15 @@ enum class SnowDisplay : std::uint8_t { Natural, Depth, Swe, Density, Temperatur
 /// Ids and labels, by number.
 extern const std::array<Choice, 7> kSnowDisplayChoices;
 
+/// What the colours of mist and powder in the air tell; Natural draws them as they look.
+enum class AirDisplay : std::uint8_t { Natural, Density, Velocity, Temperature, Divergence };
+/// Ids and labels, by number.
+extern const std::array<Choice, 5> kAirDisplayChoices;
+
+/// Where values of the air are shown: in all of it, or on a plane across an axis of the scene.
+enum class AirSlice : std::uint8_t { Off, AcrossX, AcrossY, AcrossZ };
+extern const std::array<Choice, 4> kAirSliceChoices;
+
 /// How snow that lies is lit.
 enum class SnowShading : std::uint8_t {
   Physical,   ///< light that enters comes out again beside it; thin snow sinks between stems and stones
@@ -54,12 +63,18 @@ struct RenderNode : NodeData {
   double flowRangeLow = 0.0;      ///< SI unit of what is shown
   double flowRangeHigh = 30.0;    ///< SI unit of what is shown
   bool flowLogarithmic = false;   ///< colours by the logarithm; for values above 0
-  bool flowLegend = true;         ///< printed where colours of flow or snow stand for values
+  bool flowLegend = true;         ///< printed where colours of flow, snow or air stand for values
   bool showFlowBoundary = false;  ///< particles of bodies' surfaces
   SnowDisplay snowDisplay = SnowDisplay::Natural;
   bool snowRangeAuto = true;   ///< of the colours: what the frame's cover has
   double snowRangeLow = 0.0;   ///< in the unit of the legend: m, kg/m2, kg/m3, degC, 1
   double snowRangeHigh = 2.0;  ///< in the unit of the legend
+  AirDisplay airDisplay = AirDisplay::Natural;
+  AirSlice airSlice = AirSlice::Off;
+  double airSlicePosition = 0.0;  ///< local m along the slice's axis
+  bool airRangeAuto = true;       ///< of the colours: what the frame's air has
+  double airRangeLow = 0.0;       ///< SI unit of what is shown
+  double airRangeHigh = 1.0;      ///< SI unit of what is shown
   SnowShading snowShading = SnowShading::Physical;
   double snowAmbient = 0.9;     ///< K_a of the published shading
   double snowDiffuse = 0.85;    ///< K_d

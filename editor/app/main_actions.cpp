@@ -146,6 +146,7 @@ void MainActions::addViewMenu() {
   addGroundMenu(menu);
   addSnowMenu(menu);
   addFlowMenu(menu);
+  addAirMenu(menu);
   addToggle(menu, "viewSnow", tr("S&now cover"), true, {}, [&view](bool on) { view.setShowSnow(on); });
   addToggle(menu, "viewFlakes", tr("Fa&lling flakes"), true, {},
             [&view](bool on) { view.setShowFlakes(on); });

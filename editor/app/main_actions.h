@@ -43,6 +43,8 @@ class MainActions : public QObject {
   void addGroundMenu(QMenu* view);
   void addSnowMenu(QMenu* view);
   void showSnowSettings();
+  void addAirMenu(QMenu* view);
+  void showAirSettings();
   void addFlowMenu(QMenu* view);
   void showFlowSettings();
   void addSimulateMenu();
@@ -65,6 +67,8 @@ class MainActions : public QObject {
   QAction* m_publishedSnow = nullptr;
   std::vector<QAction*> m_flowDisplays;  ///< by FlowDisplay
   QAction* m_flowBoundary = nullptr;
+  std::vector<QAction*> m_airDisplays;  ///< by AirDisplay
+  std::vector<QAction*> m_airSlices;    ///< by AirSlice
   QAction* m_holdSnow = nullptr;
   QAction* m_holdFlow = nullptr;
   std::vector<QAction*> m_all;

@@ -16,6 +16,7 @@
 #include "editor/cli/bitmap_font.h"
 #include "editor/cli/cancel_watch.h"
 #include "editor/cli/legend_painter.h"
+#include "editor/render/air_values.h"
 #include "editor/render/cover_values.h"
 #include "editor/render/egl_context.h"
 #include "editor/render/flow_scale.h"
@@ -233,8 +234,9 @@ Status JobExport::writePictures(const FramePointer& frame) {
   const std::vector<std::string> caption = captionLines(*m_opened.snapshot);
   if (!caption.empty()) drawCaption(image, caption);
   int taken = 0;
-  for (const auto& legend : {flowLegend(*m_opened.snapshot, frame.get(), time),
-                             coverLegend(*m_opened.snapshot, frame.get(), time)})
+  for (const auto& legend :
+       {flowLegend(*m_opened.snapshot, frame.get(), time), coverLegend(*m_opened.snapshot, frame.get(), time),
+        airLegend(*m_opened.snapshot, frame.get(), time)})
     if (legend) taken = drawLegend(image, *legend, taken);
   for (Pictures& pictures : m_pictures) {
     const ScopedStage stage(m_timings, pictures.format.id);

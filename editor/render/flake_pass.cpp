@@ -31,6 +31,9 @@ Status FlakePass::initialise() {
   auto program = GlProgram::build("flake.vert", "flake.frag");
   if (!program) return program.error();
   m_program = std::move(*program);
+  auto inCloud = GlProgram::build("flake.vert", "flake.frag", "#define AIR_KEPT 1\n");
+  if (!inCloud) return inCloud.error();
+  m_cloudProgram = std::move(*inCloud);
   m_vertexArray = GlVertexArray::make();
   m_records = GlBuffer::make();
   return {};
@@ -110,16 +113,17 @@ void FlakePass::uploadSeen() {
   growIndices(m_seen.count);
 }
 
-void FlakePass::draw(const DrawContext& context) {
+void FlakePass::draw(const DrawContext& context, bool inCloud) {
   const auto snowfall = context.scene.settings<SnowfallNode>(context.filmTime);
   if (!look(context, snowfall)) return;
   const auto at = [](double v) { return static_cast<float>(v); };
   const SpriteSizeLaw pinhole = pinholeSizeLaw(2.0 * std::atan(static_cast<double>(context.block.forward.w)));
-  m_program.use();
-  m_program.set("uCount", static_cast<int>(m_seen.count));
-  m_program.set("uLook", kExposureSeconds, kSmallestWidth, at(m_flakes->flakes.cover), at(m_atlasCover));
-  m_program.set("uSizeLaw", at(snowfall.sizeLawA), at(snowfall.sizeLawB), at(pinhole.c), 0.0f);
-  m_program.set("uShapeCount", m_atlas ? m_atlas->flakes() : 0);
+  const GlProgram& program = inCloud ? m_cloudProgram : m_program;
+  program.use();
+  program.set("uCount", static_cast<int>(m_seen.count));
+  program.set("uLook", kExposureSeconds, kSmallestWidth, at(m_flakes->flakes.cover), at(m_atlasCover));
+  program.set("uSizeLaw", at(snowfall.sizeLawA), at(snowfall.sizeLawB), at(pinhole.c), 0.0f);
+  program.set("uShapeCount", m_atlas ? m_atlas->flakes() : 0);
   glBindVertexArray(m_vertexArray.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, m_records.id());
   if (m_shapes) glBindTextureUnit(7, m_shapes.id());

@@ -22,7 +22,8 @@ class FlakePass {
   void setFlakes(std::shared_ptr<const FlakesPart> flakes) { m_flakes = std::move(flakes); }
   /// Takes the shapes; null = soft discs.
   void setAtlas(std::shared_ptr<const FlakeAtlas> atlas);
-  void draw(const DrawContext& context);
+  /// `inCloud`: what hangs in the air hides them, as airKept() says.
+  void draw(const DrawContext& context, bool inCloud);
 
  private:
   bool look(const DrawContext& context, const SnowfallNode& snowfall);
@@ -44,7 +45,7 @@ class FlakePass {
   GlBuffer m_records, m_indices;
   GlTexture m_shapes;
   GlVertexArray m_vertexArray;
-  GlProgram m_program;
+  GlProgram m_program, m_cloudProgram;
 };
 
 }  // namespace spin

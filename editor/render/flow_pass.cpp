@@ -7,6 +7,7 @@
 
 #include "core/base/log.h"
 #include "core/base/units.h"
+#include "editor/render/scissor_limit.h"
 
 namespace spin {
 namespace {
@@ -116,33 +117,6 @@ double nearDistance(const std::vector<Vec3f>& positions, const DrawContext& cont
   std::nth_element(found.begin(), fifth, found.end());
   return static_cast<double>(*fifth);
 }
-
-/// Keeps drawing to a rectangle x0, y0, x1, y1 within the one set already.
-class ScissorLimit {
- public:
-  explicit ScissorLimit(const std::array<int, 4>& pixels) : m_wasOn(glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE) {
-    glGetIntegerv(GL_SCISSOR_BOX, m_before);
-    GLint x0 = pixels[0], y0 = pixels[1], x1 = pixels[2], y1 = pixels[3];
-    if (m_wasOn) {
-      x0 = std::max(x0, m_before[0]);
-      y0 = std::max(y0, m_before[1]);
-      x1 = std::min(x1, m_before[0] + m_before[2]);
-      y1 = std::min(y1, m_before[1] + m_before[3]);
-    }
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(x0, y0, std::max(0, x1 - x0), std::max(0, y1 - y0));
-  }
-  ~ScissorLimit() {
-    glScissor(m_before[0], m_before[1], m_before[2], m_before[3]);
-    if (!m_wasOn) glDisable(GL_SCISSOR_TEST);
-  }
-  ScissorLimit(const ScissorLimit&) = delete;
-  ScissorLimit& operator=(const ScissorLimit&) = delete;
-
- private:
-  bool m_wasOn;
-  GLint m_before[4] = {};
-};
 
 void drawScreen() {
   glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -275,7 +249,7 @@ void FlowPass::prepare(const DrawContext& context) {
   key.insert(key.end(),
              {m_revision, m_looksRevision, static_cast<double>(context.options.quality < kMovingQuality),
               static_cast<double>(context.options.width), static_cast<double>(context.options.height),
-              m_boundaryShown ? 1.0 : 0.0});
+              m_boundaryShown ? 1.0 : 0.0, m_dustShown ? 1.0 : 0.0});
   if (key == m_preparedKey) return;
   m_preparedKey = std::move(key);
   m_pixels = pixelsOf(m_allBounds, context.block.viewProjection, context.options.width,
@@ -313,7 +287,7 @@ void FlowPass::drawSurface(const DrawContext& context) {
     m_thicknessProgram.set("uFilled", static_cast<float>(kFilled));
     gather(m_thicknessProgram, m_targets.thicknessFramebuffer, points, context);
     const std::size_t share = std::max(kDustShare, 2 * points.stride);
-    if (m_dusty)
+    if (m_dusty && m_dustShown)
       gather(m_dustProgram, m_targets.dustFramebuffer,
              {m_flow->particles.size(), share, spacingOf(m_spacing, share, kDustShare)}, context);
   }
@@ -394,7 +368,7 @@ void FlowPass::draw(const DrawContext& context) const {
   glBindVertexArray(m_vertexArray.id());
   const ScissorLimit limit(m_pixels);
   drawScreen();
-  if (!values && m_dusty) drawDust();
+  if (!values && m_dusty && m_dustShown) drawDust();
 }
 
 /// The cloud that fast snow raises, over the surface.

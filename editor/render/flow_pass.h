@@ -25,6 +25,8 @@ class FlowPass {
   /// the positions show it.
   void setFlow(std::shared_ptr<const ParticlePart> flow, std::shared_ptr<const ParticlePart> boundary,
                double spacing);
+  /// Whether fast snow raises dust in the natural look: not where the air itself tells of it.
+  void showDust(bool on) { m_dustShown = on; }
   bool empty() const { return m_count == 0; }
   /// Box round all particles, local m.
   const Box3d& bounds() const { return m_bounds; }
@@ -64,6 +66,7 @@ class FlowPass {
   FlowScale m_scale;
   std::vector<double> m_looksKey, m_preparedKey;
   bool m_boundaryShown = false;
+  bool m_dustShown = true;
   bool m_dusty = false;           ///< some snow is fast enough to raise dust
   std::array<int, 4> m_pixels{};  ///< of the picture, in which something flows
   FlowTargets m_targets;

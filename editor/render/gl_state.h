@@ -43,7 +43,7 @@ class GlStateGuard {
   GlStateGuard& operator=(const GlStateGuard&) = delete;
 
  private:
-  static constexpr GLuint kUnits = 11;  ///< texture units in use
+  static constexpr GLuint kUnits = 13;  ///< texture units in use
   GLint m_drawFramebuffer = 0, m_readFramebuffer = 0, m_packBuffer = 0;
   GLint m_viewport[4] = {};
 };

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/log.h"
 #include "core/base/units.h"
 #include "core/nodes/camera_node.h"
+#include "editor/render/air_pass.h"
 #include "editor/render/area_pass.h"
 #include "editor/render/cover_pass.h"
 #include "editor/render/flake_pass.h"
@@ -15,7 +17,9 @@
 #include "editor/render/model_pass.h"
 #include "editor/render/noise_texture.h"
 #include "editor/render/render_target.h"
+#include "editor/render/scene_depth.h"
 #include "editor/render/shadow_pass.h"
+#include "editor/render/spray_pass.h"
 #include "editor/render/tank.h"
 #include "editor/render/terrain_pass.h"
 
@@ -55,6 +59,9 @@ struct Renderer::State {
   CoverPass cover;
   FlakePass flakes;
   FlowPass flow;
+  AirPass air;
+  SprayPass spray;
+  SceneDepth depth;
   AreaPass area;
   GlProgram sky;
   GlVertexArray screenArray;
@@ -68,6 +75,8 @@ struct Renderer::State {
   FrameBlock makeBlock(const RenderCamera& camera, double filmTime, const RenderOptions& options);
   void drawPasses(GLuint framebuffer, const RenderCamera& camera, double filmTime,
                   const RenderOptions& options);
+  void prepareAir(const DrawContext& context);
+  void drawInAir(GLuint framebuffer, const DrawContext& context);
   void bindTextures() const;
   template <class Pass>
   void timed(const char* name, const Pass& pass);
@@ -87,8 +96,10 @@ RowRange rowsOf(const RenderOptions& options) {
   return {row(options.band.x), row(options.band.y)};
 }
 
-void limitToBand(const RenderOptions& options) {
-  const RowRange rows = rowsOf(options);
+/// `margin`: rows beyond the band that are drawn with it.
+void limitToBand(const RenderOptions& options, int margin) {
+  RowRange rows = rowsOf(options);
+  rows = {std::max(rows.begin - margin, 0), std::min(rows.end + margin, options.height)};
   if (rows.begin == 0 && rows.end == options.height) return;
   glEnable(GL_SCISSOR_TEST);
   glScissor(0, rows.begin, options.width, rows.end - rows.begin);
@@ -117,6 +128,8 @@ Status Renderer::initialise() {
   if (Status s = st.cover.initialise(); !s) return s;
   if (Status s = st.flakes.initialise(); !s) return s;
   if (Status s = st.flow.initialise(); !s) return s;
+  if (Status s = st.air.initialise(); !s) return s;
+  if (Status s = st.spray.initialise(); !s) return s;
   if (Status s = st.area.initialise(); !s) return s;
   auto sky = GlProgram::build("screen.vert", "sky.frag");
   if (!sky) return sky.error();
@@ -178,6 +191,30 @@ void Renderer::State::updateCover() {
     if (told != figures.end()) spacing = told->second;
   }
   flow.setFlow(particles("flow"), particles("flow_boundary"), spacing);
+  air.setAir(std::dynamic_pointer_cast<const AirPart>(part("air")));
+  flow.showDust(!air.hasSnow());
+  spray.setSpray(particles("spray"));
+}
+
+void Renderer::State::prepareAir(const DrawContext& context) {
+  const auto vec = [](Vec4f v) { return Vec3f{v.x, v.y, v.z}.to<double>(); };
+  const FrameBlock& b = context.block;
+  AirSky light{vec(b.toSun), vec(b.sun), vec(b.sky), vec(b.bounce), {}};
+  if (!terrain.empty()) light.sunShare = [this](Vec3d place) { return terrain.sunShare(place); };
+  air.prepare(context, light, terrain.shadowRevision());
+}
+
+/// Cloud and spray, over all that is solid or flows.
+void Renderer::State::drawInAir(GLuint framebuffer, const DrawContext& context) {
+  if (air.shows() || !spray.empty()) {
+    if (Status s = depth.copy(framebuffer, context.options.width, context.options.height); !s) {
+      logWarning(s.error().text());
+      return;
+    }
+  }
+  if (air.shows()) air.draw(framebuffer, depth.texture(), context);
+  air.bindKept();
+  spray.draw(framebuffer, depth.texture(), context);
 }
 
 FrameBlock Renderer::State::makeBlock(const RenderCamera& camera, double filmTime,
@@ -248,9 +285,10 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
   timed("area", [&] { area.setScene(scene, options.selectedNode); });
   bindTextures();
   timed("flow surface", [&] { flow.prepare(context); });
+  timed("air light", [&] { prepareAir(context); });
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, options.width, options.height);
-  limitToBand(options);
+  limitToBand(options, air.empty() ? 0 : AirPass::kMarginRows);
   const float black[4] = {0.0f, 0.0f, 0.0f, 1.0f}, far = 0.0f;
   glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, black);
   glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far);
@@ -274,13 +312,12 @@ void Renderer::State::drawPasses(GLuint framebuffer, const RenderCamera& camera,
   glDepthMask(GL_FALSE);
   timed("area", [&] { area.draw(); });
   glDepthMask(GL_TRUE);
-  timed("flow", [&] {
-    flow.draw(context);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  });
+  timed("flow", [&] { flow.draw(context); });
+  timed("air", [&] { drawInAir(framebuffer, context); });
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDepthMask(GL_FALSE);
   timed("flakes", [&] {
-    if (options.showFlakes) flakes.draw(context);
+    if (options.showFlakes) flakes.draw(context, air.shows());
   });
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);

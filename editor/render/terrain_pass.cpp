@@ -65,6 +65,8 @@ void TerrainPass::setTerrain(std::shared_ptr<const TerrainData> terrain) {
   m_tiles.clear();
   m_light.reset();
   m_toSun = {};
+  m_shadowHeights.clear();
+  m_shadowRevision += 1.0;
   if (!m_terrain || m_terrain->heights.width < 2 || m_terrain->heights.height < 2) {
     m_terrain.reset();
     return;
@@ -101,10 +103,28 @@ void TerrainPass::update(const SceneSnapshot& scene, double filmTime, GroundDisp
   m_toSun = toSun;
   const Raster<float>& h = m_terrain->heights;
   const double climb = h.cellSize * std::max(toSun.z, 0.0) / std::max(std::hypot(toSun.x, toSun.y), 1e-3);
-  const std::vector<std::uint8_t> light = packTerrainLight(h, m_normalsAndSky, terrainShadowHeights(h, toSun),
-                                                           static_cast<float>(std::max(0.5 * climb, 0.01)));
+  m_shadowHeights = terrainShadowHeights(h, toSun);
+  m_shadowEdge = std::max(0.5 * climb, 0.01);
+  m_shadowRevision += 1.0;
+  const std::vector<std::uint8_t> light =
+      packTerrainLight(h, m_normalsAndSky, m_shadowHeights, static_cast<float>(m_shadowEdge));
   glTextureSubImage2D(m_light.id(), 0, 0, 0, h.width, h.height, GL_RGBA, GL_UNSIGNED_BYTE, light.data());
   glGenerateTextureMipmap(m_light.id());
+}
+
+double TerrainPass::sunShare(Vec3d place) const {
+  if (!m_terrain || m_shadowHeights.empty()) return 1.0;
+  const Raster<float>& h = m_terrain->heights;
+  const double x = (place.x - h.originX) / h.cellSize, y = (place.y - h.originY) / h.cellSize;
+  if (!(x >= 0.0 && y >= 0.0 && x <= h.width - 1 && y <= h.height - 1)) return 1.0;
+  const int i = std::min(static_cast<int>(x), h.width - 2), j = std::min(static_cast<int>(y), h.height - 2);
+  if (i < 0 || j < 0) return 1.0;
+  const double u = x - i, v = y - j;
+  const auto lit = [&](int a, int b) {
+    const double above = place.z - static_cast<double>(m_shadowHeights[h.index(i + a, j + b)]);
+    return std::clamp(above / m_shadowEdge, 0.0, 1.0);
+  };
+  return (1.0 - v) * ((1.0 - u) * lit(0, 0) + u * lit(1, 0)) + v * ((1.0 - u) * lit(0, 1) + u * lit(1, 1));
 }
 
 void TerrainPass::bindTextures() const {

@@ -29,6 +29,10 @@ class TerrainPass {
   /// ground however far it is; may be empty.
   void draw(const DrawContext& context, const std::vector<Vec4f>& cuts, const Box3d& shading);
   void fill(FrameBlock& block) const;
+  /// Share of the sun that the terrain lets through to a place at any height; as of the last update().
+  double sunShare(Vec3d place) const;
+  /// Another number after every update() that changed sunShare().
+  double shadowRevision() const { return m_shadowRevision; }
   bool empty() const { return !m_terrain; }
   std::size_t trianglesDrawn() const { return m_triangles; }
   const GroundMap& ground() const { return m_ground; }
@@ -56,6 +60,8 @@ class TerrainPass {
   GlVertexArray m_vertexArray;
   GlTexture m_light;
   std::vector<Vec4f> m_normalsAndSky;
+  std::vector<float> m_shadowHeights;
+  double m_shadowEdge = 0.01, m_shadowRevision = 0.0;
   GroundMap m_ground;
   Vec3d m_toSun{};
   std::size_t m_triangles = 0;

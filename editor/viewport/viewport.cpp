@@ -10,6 +10,7 @@
 #include "core/base/units.h"
 #include "core/fields/terrain_surface.h"
 #include "core/nodes/flow_nodes.h"
+#include "editor/render/air_values.h"
 #include "editor/render/cover_values.h"
 #include "editor/render/flow_scale.h"
 #include "editor/render/view_uniforms.h"
@@ -120,6 +121,7 @@ void Viewport::setFlakeAtlas(std::shared_ptr<const FlakeAtlas> atlas) {
 void Viewport::updateLegend() {
   m_legend = m_scene ? flowLegend(*m_scene, m_frame.get(), m_filmTime) : std::nullopt;
   m_coverLegend = m_scene ? spin::coverLegend(*m_scene, m_frame.get(), m_filmTime) : std::nullopt;
+  m_airLegend = m_scene ? spin::airLegend(*m_scene, m_frame.get(), m_filmTime) : std::nullopt;
   scheduleReading();
   updateOverlay();
 }
@@ -313,7 +315,8 @@ void Viewport::paintOverlay(QPainter& painter) const {
   QRectF room(m_surface->rect());
   if (m_legend) room.setRight(paintLegend(painter, room, *m_legend).left());
   const bool values = m_coverLegend && m_options.showSnow && m_options.ground == GroundDisplay::Natural;
-  if (values) paintLegend(painter, room, *m_coverLegend);
+  if (values) room.setRight(paintLegend(painter, room, *m_coverLegend).left());
+  if (m_airLegend) paintLegend(painter, room, *m_airLegend);
   // Above the line that tells what the tool does: both may be long.
   const QRectF aboveHint = QRectF(m_surface->rect()).adjusted(0, 0, 0, m_showHints ? -34 : 0);
   if (!m_reading.isEmpty()) paintReading(painter, aboveHint, m_reading);

@@ -106,6 +106,8 @@ class Viewport : public QWidget {
   const std::optional<ValueLegend>& legend() const { return m_legend; }
   /// The same of the snow cover.
   const std::optional<ValueLegend>& coverLegend() const { return m_coverLegend; }
+  /// Of the air.
+  const std::optional<ValueLegend>& airLegend() const { return m_airLegend; }
   /// The widget that shows the picture and takes the pointer.
   PictureView* surface() const { return m_surface; }
 
@@ -199,7 +201,7 @@ class Viewport : public QWidget {
   SnapshotPointer m_scene;       ///< with the preview
   std::optional<LayerPreview> m_preview;
   FramePointer m_frame;
-  std::optional<ValueLegend> m_legend, m_coverLegend;
+  std::optional<ValueLegend> m_legend, m_coverLegend, m_airLegend;
   double m_filmTime = 0.0;
   std::string m_selected;
   Tool m_tool = Tool::Select;

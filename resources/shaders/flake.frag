@@ -6,6 +6,9 @@ flat in vec3 vFrames;
 flat in float vOpacity;
 flat in int vSamples;
 flat in float vSwarm;
+#ifdef AIR_KEPT
+flat in float vDistance;
+#endif
 uniform int uShapeCount;
 layout(binding = 7) uniform sampler2DArray uShapes;
 layout(location = 0) out vec4 oColour;
@@ -66,4 +69,7 @@ void main() {
   }
   vec3 colour = uSun.rgb * 0.45 + uSky.rgb * 0.62 + uBounce.rgb * 0.35;
   oColour = vec4(shoulder(colour), vOpacity * cover / float(samples));
+#ifdef AIR_KEPT
+  oColour.a *= airKept(gl_FragCoord.xy / uViewport.xy, vDistance);
+#endif
 }

@@ -13,6 +13,9 @@ flat out vec3 vFrames;      // two layers of the atlas and the share of the seco
 flat out float vOpacity;
 flat out int vSamples;      // along the motion; 0: the sprite itself is drawn out, -1: and even all over
 flat out float vSwarm;      // of a swarm: which one, 0..1; < 0: a single flake
+#ifdef AIR_KEPT
+flat out float vDistance;   // before the eye, m
+#endif
 
 const int kFrames = 18;        // of a flake, as core/flake/flake_atlas.h has them
 const float kBlurred = 6.0;    // px, width from which a sprite's shape is blurred along its motion
@@ -47,6 +50,9 @@ void main() {
   vec3 p = vec3(value(0, k), value(1, k), value(2, k)), v = vec3(value(3, k), value(4, k), value(5, k));
   float diameter = value(6, k), weight = value(7, k), character = value(9, k);
   vec4 clip = clipOf(p);
+#ifdef AIR_KEPT
+  vDistance = clip.w;
+#endif
   if (clip.w < 0.03) return;
 
   vec2 halfScreen = 0.5 * uViewport.xy;

@@ -115,3 +115,15 @@ float snowCoverage(float depth, float roughness, float grain) {
   float level = depth - roughness * grain;
   return clamp(level / (0.35 * roughness) + 0.15, 0.0, 1.0) * smoothstep(0.0, 0.004, depth);
 }
+
+#ifdef AIR_KEPT
+layout(binding = 11) uniform sampler2D uAirLook;   // a: share of what is behind the cloud that is seen
+layout(binding = 12) uniform sampler2D uAirPlace;  // y, z: mean distance of the cloud before the eye, deviation
+
+// Share of what stands at a distance that the cloud in the air lets through, at a place 0..1 of the picture.
+float airKept(vec2 place, float distance) {
+  vec4 p = texture(uAirPlace, place);
+  float passed = smoothstep(-1.7, 1.7, (distance - p.y) / max(p.z, 0.01 * distance));
+  return pow(max(texture(uAirLook, place).a, 1e-4), passed);
+}
+#endif

@@ -222,6 +222,21 @@ class FlowWindowTest : public QObject {
     QVERIFY(f.action("flow_material")->isChecked());
   }
 
+  /// So does the menu of the air.
+  void theMenuSetsWhatAirShows() {
+    Fixture f;
+    QVERIFY(f.action("air_natural")->isChecked() && f.action("air_off")->isChecked());
+    f.action("air_temperature")->trigger();
+    f.action("air_across_y")->trigger();
+    const auto settings = [&]() -> const RenderNode& {
+      return test::dataOf<RenderNode>(f.document().scene().firstOf(kRenderType));
+    };
+    QVERIFY(settings().airDisplay == AirDisplay::Temperature);
+    QVERIFY(settings().airSlice == AirSlice::AcrossY);
+    f.action("editUndo")->trigger();
+    QVERIFY(f.action("air_off")->isChecked() && f.action("air_temperature")->isChecked());
+  }
+
   /// So does the menu of the snow.
   void theMenuSetsWhatSnowShows() {
     Fixture f;
