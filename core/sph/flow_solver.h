@@ -91,7 +91,8 @@ struct FlowConfig {
   Vec3d domainMin{};       ///< m; what leaves the box is taken out
   Vec3d domainMax{};       ///< m; along a periodic axis the length is a whole number of supports, >= 3
   bool periodic[3] = {false, false, false};
-  bool clampTension = true;      ///< no negative pressure but for the materials' tensile strength
+  bool clampTension = true;      ///< no negative pressure but for the materials' tensile strength; false for
+                                 ///< fluid that fills its room, without a free surface
   bool leapFrog = false;         ///< else semi-implicit Euler
   double courant = 0.25;         ///< share of a spacing that sound goes in a step
   double forceFactor = 0.25;     ///< step <= factor sqrt(spacing / |a|)

@@ -379,8 +379,9 @@ class FlowSolverOn final : public FlowSolver {
     if (solves)
       if (Status ok = solveViscosity(done.seconds, done); !ok) return ok;
     WithBodies passes{m_passes, m_bodies};
+    const double level = m_config.clampTension ? 0.0 : limits.balance / m_view.count;
     const std::uint32_t broken =
-        m_pressure.solve(m_backend, passes, m_config, m_view, done.compression, share, done.pressure);
+        m_pressure.solve(m_backend, passes, m_config, m_view, done.compression, level, share, done.pressure);
     if (broken != UINT32_MAX) return notFinite(broken, "pressure solve");
     m_backend.forEach("integrate", m_view.count, WallEndKernel{m_view, !solves});
     if (m_config.countImpulse)

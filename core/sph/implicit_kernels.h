@@ -92,15 +92,16 @@ struct ErrorOf {
 /// compression that is there.
 struct FlowLimits {
   StepLimits step;
-  double excess;
+  double excess, balance;  ///< sums of what is above 0, and of all
   float largest;
 };
 SPIN_HD_INLINE FlowLimits noFlowLimits() {
-  return {noLimits(), 0.0, 0.0f};
+  return {noLimits(), 0.0, 0.0, 0.0f};
 }
 struct JoinFlowLimits {
   SPIN_HD FlowLimits operator()(const FlowLimits& a, const FlowLimits& b) const {
-    return {JoinLimits{}(a.step, b.step), a.excess + b.excess, maximum(a.largest, b.largest)};
+    return {JoinLimits{}(a.step, b.step), a.excess + b.excess, a.balance + b.balance,
+            maximum(a.largest, b.largest)};
   }
 };
 struct FlowLimitsOf {
@@ -131,6 +132,7 @@ struct FlowLimitsOf {
              nu > 0.0f ? viscousFactor * spacing * spacing / nu : INFINITY,
              check - check == 0.0f ? UINT32_MAX : v.id[i]},
             static_cast<double>(excess),
+            static_cast<double>(v.excess[i]),
             excess};
   }
 };

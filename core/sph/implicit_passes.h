@@ -49,7 +49,8 @@ struct ConstraintPass {
 template <class Lanes, class T>
 SPIN_HD_INLINE void iteratePressure(const FlowView& v, const Lanes& own, T rate) {
   const PressureSolveView& s = v.pressureSolve;
-  const T excess = own.load(v.excess), pressure = own.load(s.pressure), latest = own.load(s.latest);
+  const T excess = own.load(v.excess) - T(s.level), pressure = own.load(s.pressure),
+          latest = own.load(s.latest);
   const T compliance = own.load(s.compliance);
   const T share = T(s.surplusShare);
   const T room = minimum(share * excess, mulAdd(T(1.0f) - share, T(s.deficitRoom), excess));

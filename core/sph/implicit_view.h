@@ -22,8 +22,10 @@ struct PressureSolveView {
   float timeStep = 0;      ///< s
   float relaxation = 0;
   float momentum = 0;       ///< share of the last change that is added again
-  float surplusShare = 0;   ///< of an excess above 0, taken off in this step
-  float deficitRoom = 0;    ///< deficit of which no more than that share is filled up in a step
+  float level = 0;          ///< excess that is wanted everywhere
+  float surplusShare = 0;   ///< of an excess above that level, taken off in this step
+  float deficitRoom = 0;    ///< deficit of which no more than that share is filled up in a step; huge
+                            ///< where tension is allowed
   float leastPressure = 0;  ///< Pa; far below 0 where tension is allowed
   float deficitShare = 0;   ///< 1 where a density below that at rest counts as an error too
 };
