@@ -10,9 +10,10 @@ namespace spin {
 namespace {
 
 constexpr BrickKey kBrick{kBrickX, kBrickY, kBrickZ};
-/// The window's corner lies at multiples of these, so that the cells that a coarser level joins stay together
-/// when it moves.
-constexpr BrickKey kAlign{2, 4, 4};
+/// Corners lie so that cells which begin at multiples of these bricks begin at multiples of ever larger cells
+/// on all coarser levels (CoarseMap shifts cells by as much as half of kBefore): what a level joins stays
+/// together when the window moves, and boxes of round sizes stay whole.
+constexpr BrickKey kAlign{2, 8, 8}, kBefore{2, 2, 2};
 constexpr double kMostCells = 1.5e9;
 
 std::int32_t floorTo(std::int32_t value, std::int32_t step) {
@@ -72,7 +73,7 @@ Result<AirWindow> AirWindow::make(std::vector<BrickKey> active) {
   }
   double cells = 1.0;
   for (std::size_t a = 0; a < 3; ++a) {
-    w.m_low[a] = floorTo(w.m_low[a] - 1, kAlign[a]);
+    w.m_low[a] = floorTo(w.m_low[a] - 1 + kBefore[a], kAlign[a]) - kBefore[a];
     w.m_count[a] = high[a] + 1 - w.m_low[a];
     cells *= static_cast<double>(w.m_count[a]) * kBrick[a];
   }

@@ -68,6 +68,7 @@ struct DiagonalPass {
   static constexpr AirResult kResult = AirResult::None;
   AirStrides strides;
   const float *cx, *cy, *cz;
+  const float* solved;  ///< above 0 where a cell is: beside the rim others have faces too
   float* inverse;
 
   template <class At>
@@ -76,7 +77,8 @@ struct DiagonalPass {
     const Real sum = at.load(cx) + at.load(cx, 1) + at.load(cy) + at.load(cy, strides.y) + at.load(cz) +
                      at.load(cz, strides.z);
     const Real least = lit<Real>(1e-6);
-    at.store(selectLess(least, sum, lit<Real>(1.0) / maximum(sum, least), lit<Real>(0.0)), inverse);
+    const Real counts = sum * positive(at.load(solved));
+    at.store(selectLess(least, counts, lit<Real>(1.0) / maximum(sum, least), lit<Real>(0.0)), inverse);
   }
 };
 
@@ -89,28 +91,67 @@ struct CoarseMap {
   static constexpr int kAirShiftX = 16, kAirShiftY = 4, kAirShiftZ = 4;
 };
 
-/// Coefficients of a coarser level: the flux through a face of twice the edge is half the sum of its four
-/// children's, since its cells' centres are twice as far apart.
+/// Coefficients of a coarser level. A coarse cell stands for its children that are solved, so it is as long
+/// along an axis as they are together, and a pressure that grows evenly has to cost as much as on the finer
+/// level: the sum of the children's coefficients times the distance of their centres over that of the coarse
+/// ones'. Where no cell is solved the pressure is 0, half a cell of the finest level away.
 struct CoarsenPass {
   static constexpr AirResult kResult = AirResult::None;
   CoarseMap map;
-  const float *cx, *cy, *cz;
-  float *toX, *toY, *toZ;
+  const float* c[3];
+  const float* inverse;     ///< of the finer level
+  const float* lengths[3];  ///< of the finer level's cells, in cells of the finest; null = 1 where solved
+  float* to[3];
+  float* toLengths[3];
 
   template <class At>
   SPIN_HD_INLINE void operator()(const At& at) const {
-    using Real = typename At::Real;
-    const Real half = lit<Real>(0.5);
     const int child = map.child(at.x, at.y, at.z), y = map.fine.y, z = map.fine.z;
-    const float *fx = cx + child, *fy = cy + child, *fz = cz + child;
-    at.store(half * (At::even(fx) + At::even(fx + y) + At::even(fx + z) + At::even(fx + y + z)), toX);
-    at.store(half * (At::pairSum(fy) + At::pairSum(fy + z)), toY);
-    at.store(half * (At::pairSum(fz) + At::pairSum(fz + y)), toZ);
+    axis(at, 0, child, 1, y, z);
+    axis(at, 1, child, y, 1, z);
+    axis(at, 2, child, z, 1, y);
+  }
+
+ private:
+  template <class At>
+  SPIN_HD_INLINE typename At::Real childLength(int k, int child) const {
+    return lengths[k] ? At::even(lengths[k] + child) : positive(At::even(inverse + child));
+  }
+  /// Of a coarse cell: of its longest pair of children.
+  template <class At>
+  SPIN_HD_INLINE typename At::Real coarseLength(int k, int child, int step, int s, int t) const {
+    using Real = typename At::Real;
+    const auto pair = [&](int at) SPIN_INLINE_LAMBDA {
+      return childLength<At>(k, at) + childLength<At>(k, at + step);
+    };
+    const Real low = maximum(pair(child), pair(child + s)),
+               high = maximum(pair(child + t), pair(child + s + t));
+    return maximum(low, high);
+  }
+  /// Between centres; beside what is not solved as from half a cell of the finest level.
+  template <class Real>
+  SPIN_HD_INLINE static Real apart(Real a, Real b) {
+    const Real zero = lit<Real>(0.0), one = lit<Real>(1.0);
+    return lit<Real>(0.5) * (selectLess(zero, a, a, one) + selectLess(zero, b, b, one));
+  }
+  template <class At>
+  SPIN_HD_INLINE typename At::Real chain(int k, int child, int step) const {
+    return At::even(c[k] + child) * apart(childLength<At>(k, child), childLength<At>(k, child - step));
+  }
+  template <class At>
+  SPIN_HD_INLINE void axis(const At& at, int k, int child, int step, int s, int t) const {
+    using Real = typename At::Real;
+    const Real own = coarseLength<At>(k, child, step, s, t);
+    const Real below = coarseLength<At>(k, child - 2 * step, step, s, t);
+    const Real sum = chain<At>(k, child, step) + chain<At>(k, child + s, step) +
+                     chain<At>(k, child + t, step) + chain<At>(k, child + s + t, step);
+    at.store(sum / apart(own, below), to[k]);
+    at.store(own, toLengths[k]);
   }
 };
 
 /// Net outflow of a cell, and its negative as the right side; the sum of its squares.
-struct DivergencePass {
+struct AirDivergencePass {
   static constexpr AirResult kResult = AirResult::Sum;
   AirStrides strides;
   const float* area[3];

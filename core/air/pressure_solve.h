@@ -65,19 +65,11 @@ class PressureSolve {
     for (std::size_t l = 0; l < m_levels.size(); ++l) {
       Level& level = *m_levels[l];
       if (l > 0) {
-        const Level& fine = *m_levels[l - 1];
-        passes.run(backend, "pressure set-up", level.strides(), level.faces,
-                   CoarsenPass{{fine.strides()},
-                               fine.c[0].data(),
-                               fine.c[1].data(),
-                               fine.c[2].data(),
-                               level.c[0].data(),
-                               level.c[1].data(),
-                               level.c[2].data()});
+        passes.run(backend, "pressure set-up", level.strides(), level.faces, coarsening(l));
       }
       passes.run(backend, "pressure set-up", level.strides(), level.active,
                  DiagonalPass{level.strides(), level.c[0].data(), level.c[1].data(), level.c[2].data(),
-                              level.inverse.data()});
+                              l > 0 ? level.lengths[0].data() : open, level.inverse.data()});
     }
   }
 
@@ -86,12 +78,12 @@ class PressureSolve {
                    const float* const area[3], const float* solidFlux, float* const u[3], float* pressure) {
     Level& finest = *m_levels.front();
     const double right = total(passes.results(backend, "pressure", finest.strides(), finest.active,
-                                              DivergencePass{finest.strides(),
-                                                             {area[0], area[1], area[2]},
-                                                             {u[0], u[1], u[2]},
-                                                             solidFlux,
-                                                             finest.inverse.data(),
-                                                             finest.b.data()}));
+                                              AirDivergencePass{finest.strides(),
+                                                                {area[0], area[1], area[2]},
+                                                                {u[0], u[1], u[2]},
+                                                                solidFlux,
+                                                                finest.inverse.data(),
+                                                                finest.b.data()}));
     emptyPockets(backend, finest.b.data());
     AirSolve solve;
     if (config.solver == AirPressure::Multigrid)
@@ -126,9 +118,24 @@ class PressureSolve {
     std::vector<AirBrick> hostActive;
     Array<AirBrick> active, faces;
     PaddedArray<Backend> c[3], inverse, b, x, next, r;
+    PaddedArray<Backend> lengths[3];  ///< on coarser levels
     AirStrides strides() const { return {dims.x, dims.x * dims.y}; }
     PressureView view() const { return {strides(), c[0].data(), c[1].data(), c[2].data(), inverse.data()}; }
   };
+
+  CoarsenPass coarsening(std::size_t l) {
+    Level &level = *m_levels[l], &fine = *m_levels[l - 1];
+    CoarsenPass pass{};
+    pass.map.fine = fine.strides();
+    pass.inverse = fine.inverse.data();
+    for (std::size_t a = 0; a < 3; ++a) {
+      pass.c[a] = fine.c[a].data();
+      pass.lengths[a] = l > 1 ? fine.lengths[a].data() : nullptr;
+      pass.to[a] = level.c[a].data();
+      pass.toLengths[a] = level.lengths[a].data();
+    }
+    return pass;
+  }
 
   /// Cells along the longest side of what is active, in the coarsest sense: 1 = nothing left to join.
   static int extent(const std::vector<AirBrick>& bricks) {
@@ -153,6 +160,8 @@ class PressureSolve {
     for (PaddedArray<Backend>* a : {&level->c[0], &level->c[1], &level->c[2], &level->inverse, &level->b,
                                     &level->x, &level->next, &level->r})
       a->reset(backend, cells, strides);
+    for (PaddedArray<Backend>& a : level->lengths)
+      if (!m_levels.empty()) a.reset(backend, cells, strides);
     m_levels.push_back(std::move(level));
   }
 
