@@ -19,6 +19,8 @@ constexpr double kEnoughPixels = 9.0;
 constexpr double kCoarsest = 0.5;
 constexpr float kScatter = 0.3f;  // radii by which drawn particles stand off their places at most
 constexpr std::size_t kSample = 2000;
+constexpr float kLooseNeighbours = 3.0f;  // up to which water is spray
+constexpr float kLeftOut = 2.0f;          // looseness of what flow.vert leaves out
 /// Particles that a moving view and shadows draw at most; fewer are drawn larger.
 constexpr std::size_t kMostMoving = 60'000, kMostCasting = 100'000;
 constexpr double kMovingQuality = 0.8;
@@ -62,12 +64,16 @@ double dustHeight(double speed) {
   return 0.08 * speed * speed / kStandardGravity;
 }
 
+float waterShare(double density, double viscosity) {
+  // Thick fluids as dense as water are slurries: they look like snow.
+  return rise(850.0, 960.0, density) * (1.0f - rise(0.05, 0.5, viscosity));
+}
+
 /// Place on the scale (in the natural look, which needs none: the height of the dust), share of water, foam
 /// of water or dust that snow raises, looseness.
 Vec4f lookOf(double place, const Traits& t) {
   const float loose = 1.0f - rise(2.0, 10.0, t.neighbours);
-  // Thick fluids as dense as water are slurries: they look like snow.
-  const float water = rise(850.0, 960.0, t.density) * (1.0f - rise(0.05, 0.5, t.viscosity));
+  const float water = waterShare(t.density, t.viscosity);
   const float foam = std::max(0.9f * loose, 0.75f * rise(6.0, 20.0, t.speed));
   // Dust comes from the surface only.
   const float dust = (1.0f - rise(12.0, 28.0, t.neighbours)) * rise(4.0, 16.0, t.speed);
@@ -122,7 +128,27 @@ void drawScreen() {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+/// Counts of neighbours; empty before the first step, when nobody has counted them.
+std::vector<float> countedNeighbours(const ParticleSet& set) {
+  std::vector<float> neighbours = flowValues(set, FlowDisplay::Neighbours);
+  const auto none = [](float n) { return n <= 0.0f; };
+  if (std::all_of(neighbours.begin(), neighbours.end(), none)) neighbours.clear();
+  return neighbours;
+}
+
 }  // namespace
+
+std::vector<bool> looseWater(const ParticleSet& set) {
+  const auto density = materialDensities(set, flowValues(set, FlowDisplay::Density));
+  const auto neighbours = countedNeighbours(set), viscosity = flowValues(set, FlowDisplay::Viscosity);
+  std::vector<bool> loose;
+  if (density.empty() || neighbours.empty()) return loose;
+  for (std::size_t k = 0; k < density.size(); ++k)
+    loose.push_back(neighbours[k] <= kLooseNeighbours &&
+                    waterShare(static_cast<double>(density[k]),
+                               viscosity.empty() ? 0.0 : static_cast<double>(viscosity[k])) > 0.5f);
+  return loose;
+}
 
 double estimateSpacing(const std::vector<Vec3f>& positions) {
   constexpr std::size_t kProbes = 24;
@@ -199,10 +225,8 @@ void FlowPass::uploadLooks(const RenderNode& settings) {
     const auto density = materialDensities(set, flowValues(set, FlowDisplay::Density)),
                speed = flowValues(set, FlowDisplay::Speed);
     const auto viscosity = flowValues(set, FlowDisplay::Viscosity);
-    auto neighbours = flowValues(set, FlowDisplay::Neighbours);
-    // Before the first step nobody has counted them.
-    const auto none = [](float n) { return n <= 0.0f; };
-    if (std::all_of(neighbours.begin(), neighbours.end(), none)) neighbours.clear();
+    const auto neighbours = countedNeighbours(set);
+    const std::vector<bool> loose = looseWater(set);
     m_scale = flowScale(settings, values);
     for (std::size_t k = 0; k < set.size(); ++k) {
       const auto of = [k](const std::vector<float>& list, double other) {
@@ -212,6 +236,7 @@ void FlowPass::uploadLooks(const RenderNode& settings) {
       const bool natural = m_scale.shows == FlowDisplay::Material;
       looks[k] = lookOf(natural ? dustHeight(fast) : m_scale.place(of(values, 0.0)),
                         {of(density, 300.0), of(viscosity, 0.0), fast, of(neighbours, 30.0)});
+      if (natural && !loose.empty() && loose[k]) looks[k].w = kLeftOut;
       m_dusty = m_dusty || (looks[k].y <= 0.5f && looks[k].z > 0.05f);
     }
   }

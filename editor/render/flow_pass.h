@@ -28,6 +28,7 @@ class FlowPass {
   /// Whether fast snow raises dust in the natural look: not where the air itself tells of it.
   void showDust(bool on) { m_dustShown = on; }
   bool empty() const { return m_count == 0; }
+  double spacing() const { return m_spacing; }
   /// Box round all particles, local m.
   const Box3d& bounds() const { return m_bounds; }
   /// What the drawn depth depends on: another number after every setFlow() that changed something.
@@ -75,6 +76,10 @@ class FlowPass {
   GlProgram m_distanceProgram, m_thicknessProgram, m_smoothProgram, m_normalProgram, m_materialProgram,
       m_valueProgram, m_depthProgram, m_dustProgram, m_cloudProgram;
 };
+
+/// Which particles are water that hardly any other is near: drawn as spray, not as part of the surface. Empty
+/// where the set tells no neighbours or no density.
+std::vector<bool> looseWater(const ParticleSet& set);
 
 /// Distance of neighbours at rest as the positions show it: the median distance to the nearest one, of a
 /// sample. 0 for less than two particles.

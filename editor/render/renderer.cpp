@@ -193,7 +193,7 @@ void Renderer::State::updateCover() {
   flow.setFlow(particles("flow"), particles("flow_boundary"), spacing);
   air.setAir(std::dynamic_pointer_cast<const AirPart>(part("air")));
   flow.showDust(!air.hasSnow());
-  spray.setSpray(particles("spray"));
+  spray.setSpray(particles("spray"), particles("flow"), flow.spacing());
 }
 
 void Renderer::State::prepareAir(const DrawContext& context) {

@@ -9,6 +9,8 @@
 
 #include "core/base/log.h"
 #include "core/base/units.h"
+#include "core/nodes/settings_nodes.h"
+#include "editor/render/flow_pass.h"
 #include "editor/render/scissor_limit.h"
 
 namespace spin {
@@ -19,6 +21,8 @@ constexpr double kFirstRadius = 2.0;              // of the radius of the parcel
 constexpr double kSpreading = 0.4;                // m/s
 constexpr double kLargestRadius = 1.5;            // m
 constexpr float kExposureSeconds = 1.0f / 48.0f;  // as flakes have it
+constexpr double kTornDrop = 6e-3;                // m, of water that has come apart
+constexpr double kTornRadius = 2.2;               // of the spacing
 constexpr float kSmallestWidth = 1.4f;            // px
 
 const std::vector<float>* valuesOf(const ParticleSet& set, const char* name, int components) {
@@ -51,6 +55,22 @@ std::vector<SprayPuff> sprayPuffs(const ParticleSet& set) {
   return puffs;
 }
 
+std::vector<SprayPuff> loosePuffs(const ParticleSet& flow, double spacing) {
+  std::vector<SprayPuff> puffs;
+  const std::vector<bool> loose = looseWater(flow);
+  const std::vector<float>* velocity = valuesOf(flow, "velocity", 3);
+  for (std::size_t k = 0; k < loose.size(); ++k) {
+    if (!loose[k]) continue;
+    SprayPuff puff{flow.positions[k],
+                   static_cast<float>(1.5 * std::pow(spacing, 3) / kTornDrop),
+                   {},
+                   static_cast<float>(std::min(kTornRadius * spacing, kLargestRadius))};
+    if (velocity) puff.velocity = {(*velocity)[3 * k], (*velocity)[3 * k + 1], (*velocity)[3 * k + 2]};
+    puffs.push_back(puff);
+  }
+  return puffs;
+}
+
 Status SprayPass::initialise() {
   auto program = GlProgram::build("spray.vert", "spray.frag", "#define AIR_KEPT 1\n");
   if (!program) return program.error();
@@ -62,21 +82,27 @@ Status SprayPass::initialise() {
   return {};
 }
 
-void SprayPass::setSpray(std::shared_ptr<const ParticlePart> spray) {
-  if (spray == m_spray) return;
+void SprayPass::setSpray(std::shared_ptr<const ParticlePart> spray, std::shared_ptr<const ParticlePart> flow,
+                         double spacing) {
+  if (spray == m_spray && flow == m_flow) return;
   m_spray = std::move(spray);
-  m_count = 0;
+  m_flow = std::move(flow);
   m_bounds = {};
-  if (!m_spray) return;
-  const std::vector<SprayPuff> puffs = sprayPuffs(m_spray->particles);
+  std::vector<SprayPuff> puffs;
+  if (m_spray) puffs = sprayPuffs(m_spray->particles);
   m_count = puffs.size();
-  if (m_count == 0) return;
+  if (m_flow) {
+    const std::vector<SprayPuff> loose = loosePuffs(m_flow->particles, spacing);
+    puffs.insert(puffs.end(), loose.begin(), loose.end());
+  }
+  m_looseCount = puffs.size() - m_count;
+  if (puffs.empty()) return;
   for (const SprayPuff& puff : puffs) m_bounds.extend(puff.position.to<double>());
   const Vec3d margin{kLargestRadius, kLargestRadius, kLargestRadius};
   m_bounds.extend(m_bounds.min - margin);
   m_bounds.extend(m_bounds.max + margin);
   if (!m_puffs) m_puffs = GlBuffer::make();
-  glNamedBufferData(m_puffs.id(), static_cast<GLsizeiptr>(m_count * sizeof(SprayPuff)), puffs.data(),
+  glNamedBufferData(m_puffs.id(), static_cast<GLsizeiptr>(puffs.size() * sizeof(SprayPuff)), puffs.data(),
                     GL_DYNAMIC_DRAW);
 }
 
@@ -102,7 +128,9 @@ Status SprayPass::prepareTargets(int width, int height) {
 }
 
 void SprayPass::draw(GLuint framebuffer, GLuint depth, const DrawContext& context) {
-  if (empty()) return;
+  const auto shown = context.scene.settings<RenderNode>(context.filmTime).flowDisplay;
+  const std::size_t count = m_count + (shown == FlowDisplay::Material ? m_looseCount : 0);
+  if (count == 0) return;
   const std::array<int, 4> pixels =
       pixelsOf(m_bounds, context.block.viewProjection, context.options.width, context.options.height, 8.0);
   if (pixels[0] == pixels[2]) return;
@@ -125,7 +153,7 @@ void SprayPass::draw(GLuint framebuffer, GLuint depth, const DrawContext& contex
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, m_puffs.id());
   glBindTextureUnit(7, depth);
   m_program.use();
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(m_count));
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   glBindTextureUnit(7, m_sum.id());

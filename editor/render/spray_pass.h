@@ -22,14 +22,20 @@ struct SprayPuff {
 /// twice the radius of its water and grows with its age. Parcels with numbers that cannot be are left out.
 std::vector<SprayPuff> sprayPuffs(const ParticleSet& set);
 
+/// Particles of a flow of water that hardly any other is near (looseWater()), as parcels: torn to drops of
+/// some millimetres. `spacing` of particles at rest, m.
+std::vector<SprayPuff> loosePuffs(const ParticleSet& flow, double spacing);
+
 /// Draws spray: parcels as soft streaks of what they move while the shutter is open, in any order, with
 /// weighted blended transparency (M. McGuire, L. Bavoil 2013).
 class SprayPass {
  public:
   Status initialise();
-  /// Takes a frame's part "spray"; null = none.
-  void setSpray(std::shared_ptr<const ParticlePart> spray);
-  bool empty() const { return m_count == 0; }
+  /// Takes a frame's parts "spray" and "flow"; null = none. Of the flow it draws what is loose, where the
+  /// flow is drawn as what it is.
+  void setSpray(std::shared_ptr<const ParticlePart> spray, std::shared_ptr<const ParticlePart> flow,
+                double spacing);
+  bool empty() const { return m_count + m_looseCount == 0; }
   /// Adds it to the picture in `framebuffer`, whose depth the texture `depth` repeats. The cloud in the air
   /// hides it as airKept() says. Leaves the framebuffer bound, blending changed.
   void draw(GLuint framebuffer, GLuint depth, const DrawContext& context);
@@ -37,8 +43,8 @@ class SprayPass {
  private:
   Status prepareTargets(int width, int height);
 
-  std::shared_ptr<const ParticlePart> m_spray;
-  std::size_t m_count = 0;
+  std::shared_ptr<const ParticlePart> m_spray, m_flow;
+  std::size_t m_count = 0, m_looseCount = 0;  ///< parcels; loose ones, after them
   Box3d m_bounds;
   int m_width = 0, m_height = 0;
   GlBuffer m_puffs;

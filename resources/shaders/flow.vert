@@ -20,5 +20,7 @@ void main() {
   float drawn = max(pixels, uFlow.z);
   vSphere = vec4(clip.w, radius, pixels * pixels / (drawn * drawn), 0.0);
   gl_PointSize = 2.0 * drawn;
-  gl_Position = clip.w < 0.2 + radius ? vec4(2.0, 2.0, 2.0, 1.0) : vec4(clip.xy * uScale.xy, clip.zw);
+  // Beyond 1: drawn as spray.
+  bool hidden = clip.w < 0.2 + radius || vLook.w > 1.5;
+  gl_Position = hidden ? vec4(2.0, 2.0, 2.0, 1.0) : vec4(clip.xy * uScale.xy, clip.zw);
 }

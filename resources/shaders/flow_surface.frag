@@ -109,8 +109,14 @@ void main() {
   vec3 body = vec3(0.07, 0.15, 0.16) * diffuseLight(normal, sunlit, skyOpen) * (1.0 - passed);
   vec2 streak = p.xy + p.zz * vec2(0.9, -0.6);
   float bubbles = texture(uNoise, streak * (1.0 / 2.9)).r + texture(uNoise, streak * (1.0 / 0.7)).r - 1.0;
+  // What falls is drawn out into strands, which go down with it.
+  float steep = 1.0 - smoothstep(0.25, 0.7, abs(normal.z));
+  float fallen = p.z + 12.0 * uBounce.w;
+  vec2 strand = vec2(dot(p.xy, vec2(0.62, 0.79)), 0.14 * fallen);
+  float strands = texture(uNoise, strand * (1.0 / 1.3)).r + texture(uNoise, strand * (1.0 / 0.37) + 0.4).g - 1.0;
+  bubbles = mix(bubbles, 1.3 * strands, 0.75 * steep);
   vec3 froth = vec3(0.80, 0.85, 0.88) * diffuseLight(normal, sunlit, skyOpen * mix(0.6, 1.0, open));
-  froth *= 0.95 + 0.35 * bubbles;
+  froth *= (0.95 + 0.4 * bubbles) * mix(0.72, 1.0, open);
   // Foam covers by patches; spray thins out towards its rims.
   float white = smoothstep(0.22, 0.8, foam + 0.55 * bubbles) * (1.0 - exp(-mix(2.2, 1.1, loose) * all / uFlow.x));
   float film = 1.0 - loose * exp(-2.0 * all / uFlow.x);

@@ -6,6 +6,7 @@
 #include "core/nodes/weather_nodes.h"
 #include "editor/render/value_scale.h"
 #include "tests/render/air_parts.h"
+#include "tests/render/flow_parts.h"
 #include "tests/render/gl_fixture.h"
 
 namespace spin::test {
@@ -268,6 +269,23 @@ TEST_F(AirDraw, SprayIsBrightAndHiddenByWhatStandsBefore) {
   const Picture mist = draw(scene, slab(0.6), kView, sized(200, 120));
   EXPECT_LT(difference(mist, draw(scene, withSpray(slab(0.6), 88.0), kView, sized(200, 120))), 0.3);
   EXPECT_GT(difference(mist, draw(scene, withSpray(slab(0.6), 66.0), kView, sized(200, 120))), 1.0);
+}
+
+TEST_F(AirDraw, LooseWaterIsSprayAndNoSurface) {
+  const SnapshotPointer scene = ground().build();
+  const Picture bare = draw(scene, nullptr, kView, sized(200, 120));
+  ParticleSet set = particleBlock({78, 78, 2}, {82, 80, 5}, 0.25, 1000.0);
+  ParticleAttribute& neighbours = set.attributes[2];
+  ASSERT_EQ(neighbours.name, "neighbours");
+  const Picture whole = draw(scene, flowFrame(set), kView, sized(200, 120));
+  for (float& n : neighbours.values) n = 2.0f;
+  const Picture torn = draw(scene, flowFrame(set), kView, sized(200, 120));
+  EXPECT_GT(torn.bright(100, 100), whole.bright(100, 100) + 30) << "white, not clear";
+  EXPECT_GT(torn.bright(100, 100), bare.bright(100, 100) + 30);
+  // Colours of values show all particles.
+  const SnapshotPointer speeds = ground([](RenderNode& r) { r.flowDisplay = FlowDisplay::Speed; }).build();
+  const Picture coloured = draw(speeds, flowFrame(set), kView, sized(200, 120));
+  EXPECT_LT(coloured.bright(100, 100), 90) << "the darkest colour";
 }
 
 TEST_F(AirDraw, OddPartsAreDrawnWithoutHarm) {

@@ -10,8 +10,10 @@
 #include "editor/render/air_light.h"
 #include "editor/render/air_optics.h"
 #include "editor/render/air_values.h"
+#include "editor/render/flow_pass.h"
 #include "editor/render/spray_pass.h"
 #include "tests/render/air_parts.h"
+#include "tests/render/flow_parts.h"
 #include "tests/render/render_scene.h"
 
 namespace spin::test {
@@ -348,6 +350,22 @@ TEST(Spray, ParcelsHideWhatTheirDropsDo) {
   EXPECT_GT(puffs[1].radius, puffs[0].radius);
   set.attributes.erase(set.attributes.begin());
   EXPECT_TRUE(sprayPuffs(set).empty());
+}
+
+TEST(Spray, OnlyWaterWithoutNeighboursIsLoose) {
+  ParticleSet set = particleBlock({0, 0, 0}, {0.75, 0.25, 0.25}, 0.25, 1000.0);
+  ASSERT_EQ(set.size(), 3u);
+  set.attributes[2].values = {2.0f, 3.0f, 12.0f};
+  EXPECT_EQ(looseWater(set), (std::vector<bool>{true, true, false}));
+  const std::vector<SprayPuff> puffs = loosePuffs(set, 0.2);
+  ASSERT_EQ(puffs.size(), 2u);
+  // All of a particle's water, in drops.
+  EXPECT_NEAR(static_cast<double>(puffs[0].area), 1.5 * 0.008 / 6e-3, 1e-3);
+  set.attributes[1].values.assign(3, 300.0f);
+  EXPECT_EQ(looseWater(set), (std::vector<bool>{false, false, false})) << "snow";
+  // Before the first step nobody has counted.
+  set.attributes[2].values.assign(3, 0.0f);
+  EXPECT_TRUE(looseWater(set).empty());
 }
 
 }  // namespace
