@@ -48,6 +48,18 @@ BenchCase degreeDayCase();
 BenchCase seasonCase();
 BenchCase snowSpeedCase();
 BenchCase flakeSpeedCase();
+BenchCase projectionCase();
+BenchCase pressureSolversCase();
+BenchCase taylorGreenCase();
+BenchCase lidCavityCase();
+BenchCase zalesakCase();
+BenchCase deformation3dCase();
+BenchCase diffusionCase();
+BenchCase bubbleCase();
+BenchCase plumeCase();
+BenchCase mistMassCase();
+BenchCase airSpeedCase();
+BenchCase airWorkPrecisionCase();
 
 const std::vector<BenchCase>& builtInBenchCases() {
   static const std::vector<BenchCase> cases = {
@@ -93,6 +105,18 @@ const std::vector<BenchCase>& builtInBenchCases() {
       buoyancyCase(),
       sphParityCase(),
       twoFluidsStepCase(),
+      projectionCase(),
+      pressureSolversCase(),
+      taylorGreenCase(),
+      lidCavityCase(),
+      zalesakCase(),
+      deformation3dCase(),
+      diffusionCase(),
+      bubbleCase(),
+      plumeCase(),
+      mistMassCase(),
+      airSpeedCase(),
+      airWorkPrecisionCase(),
   };
   return cases;
 }
