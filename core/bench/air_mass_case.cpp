@@ -108,7 +108,7 @@ void tellBalance(const AirSolver& solver, const Given& given, double cell, Bench
 Result<std::vector<BenchRow>> run(const BenchOptions& options) {
   BenchRow row;
   row.caseId = "mist-mass";
-  const int steps = options.quick ? 60 : 240;
+  const int steps = options.quick ? 24 : 240;
   row.settings = {{"steps", std::to_string(steps)}};
   const BenchMeter meter;
   const AirConfig config = windyHills();
