@@ -8,9 +8,9 @@
 /// `volume` its open share, kept above a least so that cut cells do not rule the step.
 namespace spin {
 
-/// Carries a scalar along one axis by fluxes (after van Leer 1977): what leaves a cell enters its neighbour. The
-/// cell's volume goes with it (Clappier 1998), so that in air without divergence a constant stays one through
-/// the three sweeps. The sum is what left for cells that are not computed.
+/// Carries a scalar along one axis by fluxes (after van Leer 1977): what leaves a cell enters its neighbour.
+/// The cell's volume goes with it (Clappier 1998), so that in air without divergence a constant stays one
+/// through the three sweeps. The sum is what left for cells that are not computed.
 template <int axis>
 struct SweepPass {
   static constexpr AirResult kResult = AirResult::Sum;

@@ -47,15 +47,15 @@ Result<BenchRow> measure(const BenchOptions& options, const SpeedRun& run) {
     box.at(AirValue::Warmth, i, j, k) = 20.0f;
   });
   if (Status set = (*solver)->restore(box.state()); !set) return set.error();
-  // Until air moves: 0.4 s gives about 0.5 m/s. Then steps in which it goes about a cell.
-  for (int s = 0; s < 8; ++s)
+  // Until air moves with about 0.3 m/s. Then steps in which it goes about a cell.
+  for (int s = 0; s < 16; ++s)
     if (const Result<AirStep> step = (*solver)->step(0.05); !step) return step.error();
   (*solver)->timings().clear();
   const BenchMeter clock;
   double residual = 0.0, fastest = 0.0;
   int iterations = 0, solves = 0, subSteps = 0;
   for (int s = 0; s < run.steps; ++s) {
-    const Result<AirStep> step = (*solver)->step(1.0 / n);
+    const Result<AirStep> step = (*solver)->step(3.0 / n);
     if (!step) return step.error();
     residual = worse(residual, step->residual);
     fastest = worse(fastest, step->fastest);

@@ -109,7 +109,7 @@ Result<std::vector<BenchRow>> run(const BenchOptions& options) {
     rows.push_back(std::move(*row));
     return {};
   };
-  const int n = options.quick ? 64 : 128;
+  const int n = options.quick ? 80 : 128;
   if (Status ok = add({AirAdvection::MacCormack, true, AirPressure::Multigrid, n}); !ok) return ok.error();
   if (options.quick) return rows;
   for (const AirTrial& trial : {AirTrial{AirAdvection::SemiLagrangian, false, AirPressure::Multigrid, n},
