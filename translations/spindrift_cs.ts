@@ -2400,6 +2400,318 @@
         <source>Air range to</source>
         <translation>Rozsah vzduchu do</translation>
     </message>
+    <message>
+        <source>Semi-Lagrangian</source>
+        <translation>Semi-lagrangeovská</translation>
+    </message>
+    <message>
+        <source>MacCormack</source>
+        <translation>MacCormackova</translation>
+    </message>
+    <message>
+        <source>Cubic</source>
+        <translation>Kubická</translation>
+    </message>
+    <message>
+        <source>Conjugate gradients with multigrid</source>
+        <translation>Sdružené gradienty s multigridem</translation>
+    </message>
+    <message>
+        <source>Jacobi sweeps</source>
+        <translation>Jacobiho iterace</translation>
+    </message>
+    <message>
+        <source>Gauss-Seidel sweeps</source>
+        <translation>Gaussovy-Seidelovy iterace</translation>
+    </message>
+    <message>
+        <source>Density of humid air and its load</source>
+        <translation>Hustota vlhkého vzduchu s jeho nákladem</translation>
+    </message>
+    <message>
+        <source>Difference of stacked cells</source>
+        <translation>Rozdíl buněk nad sebou</translation>
+    </message>
+    <message>
+        <source>Fog density</source>
+        <translation>Hustota mlhy</translation>
+    </message>
+    <message>
+        <source>Edge of the air&apos;s cells; 0 takes four spacings of the flow. Half of it takes eight times the cells.</source>
+        <translation>Hrana buněk vzduchu; 0 znamená čtyři rozestupy částic proudu. Poloviční hrana znamená osmkrát více buněk.</translation>
+    </message>
+    <message>
+        <source>Exchange every</source>
+        <translation>Výměna po</translation>
+    </message>
+    <message>
+        <source>Longest film time from one exchange between flow and air to the next; longer frames are cut.</source>
+        <translation>Nejdelší filmový čas mezi dvěma výměnami proudu se vzduchem; delší snímky se rozdělí.</translation>
+    </message>
+    <message>
+        <source>Advection</source>
+        <translation>Advekce</translation>
+    </message>
+    <message>
+        <source>How the wind of the cloud is carried along: semi-Lagrangian as published, or one of two sharper schemes.</source>
+        <translation>Jak se přenáší proudění v oblaku: semi-lagrangeovsky, jak bylo publikováno, nebo jedním ze dvou ostřejších schémat.</translation>
+    </message>
+    <message>
+        <source>Reflection</source>
+        <translation>Odraz</translation>
+    </message>
+    <message>
+        <source>Two projections a step keep eddies alive that one would damp.</source>
+        <translation>Dvě projekce v kroku udrží víry, které by jedna utlumila.</translation>
+    </message>
+    <message>
+        <source>Pressure solver</source>
+        <translation>Řešič tlaku</translation>
+    </message>
+    <message>
+        <source>How the pressure is found: to the tolerance, or by a fixed number of sweeps as published.</source>
+        <translation>Jak se hledá tlak: na zadanou přesnost, nebo pevným počtem iterací, jak bylo publikováno.</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerance</translation>
+    </message>
+    <message>
+        <source>Residual of the pressure over its right side, at most.</source>
+        <translation>Největší reziduum tlaku vztažené k pravé straně.</translation>
+    </message>
+    <message>
+        <source>Lift by</source>
+        <translation>Vztlak podle</translation>
+    </message>
+    <message>
+        <source>What makes the cloud rise or sink: the density of humid air with its load, or one of two published forms.</source>
+        <translation>Co oblak zvedá nebo táhne dolů: hustota vlhkého vzduchu s jeho nákladem, nebo jedna ze dvou publikovaných podob.</translation>
+    </message>
+    <message>
+        <source>How far the air reaches beyond the sides of the flow&apos;s box.</source>
+        <translation>Jak daleko sahá vzduch za boky oblasti proudu.</translation>
+    </message>
+    <message>
+        <source>How far the air reaches above the flow&apos;s box; what rises higher leaves.</source>
+        <translation>Jak vysoko sahá vzduch nad oblast proudu; co vystoupá výš, odejde.</translation>
+    </message>
+    <message>
+        <source>Eddy viscosity</source>
+        <translation>Vírová viskozita</translation>
+    </message>
+    <message>
+        <source>Mixing by eddies that are smaller than a cell.</source>
+        <translation>Promíchávání víry menšími než buňka.</translation>
+    </message>
+    <message>
+        <source>Mist evaporates</source>
+        <translation>Mlha se vypařuje</translation>
+    </message>
+    <message>
+        <source>Mist and vapour seek saturation: mist thins out in dry air and forms where moist air cools.</source>
+        <translation>Mlha a pára směřují k nasycení: v suchém vzduchu mlha řídne a vzniká tam, kde vlhký vzduch chladne.</translation>
+    </message>
+    <message>
+        <source>Mist droplets</source>
+        <translation>Kapičky mlhy</translation>
+    </message>
+    <message>
+        <source>Diameter of the droplets of mist: they sink and scatter light by it.</source>
+        <translation>Průměr kapiček mlhy: podle něj klesají a rozptylují světlo.</translation>
+    </message>
+    <message>
+        <source>Powder grains</source>
+        <translation>Zrna prachu</translation>
+    </message>
+    <message>
+        <source>Diameter of the grains of powder snow.</source>
+        <translation>Průměr zrn prachového sněhu.</translation>
+    </message>
+    <message>
+        <source>Water temperature</source>
+        <translation>Teplota vody</translation>
+    </message>
+    <message>
+        <source>Temperature of all water that flows: warmer than the air its mist rises, colder it hugs the ground.</source>
+        <translation>Teplota veškeré tekoucí vody: je-li teplejší než vzduch, mlha stoupá, je-li chladnější, drží se při zemi.</translation>
+    </message>
+    <message>
+        <source>Water warms air</source>
+        <translation>Voda ohřívá vzduch</translation>
+    </message>
+    <message>
+        <source>The surface of water and its drops give heat and vapour to the air that passes, or take them.</source>
+        <translation>Hladina vody a její kapky předávají okolnímu vzduchu teplo a páru, nebo je z něj berou.</translation>
+    </message>
+    <message>
+        <source>Impact from</source>
+        <translation>Náraz od</translation>
+    </message>
+    <message>
+        <source>Acceleration from which a particle counts as hitting something.</source>
+        <translation>Zrychlení, od kterého se bere, že částice do něčeho narazila.</translation>
+    </message>
+    <message>
+        <source>Mist by impact</source>
+        <translation>Mlha nárazem</translation>
+    </message>
+    <message>
+        <source>Share of water that an impact turns to mist per metre a second of speed that it takes.</source>
+        <translation>Podíl vody, který náraz promění v mlhu na každý metr za sekundu ztracené rychlosti.</translation>
+    </message>
+    <message>
+        <source>Powder by impact</source>
+        <translation>Prach nárazem</translation>
+    </message>
+    <message>
+        <source>Share of snow that an impact turns to powder per metre a second of speed that it takes.</source>
+        <translation>Podíl sněhu, který náraz promění v prach na každý metr za sekundu ztracené rychlosti.</translation>
+    </message>
+    <message>
+        <source>Mist from</source>
+        <translation>Mlha od</translation>
+    </message>
+    <message>
+        <source>Speed against the air from which the surface of water frays.</source>
+        <translation>Rychlost vůči vzduchu, od které se povrch vody třepí.</translation>
+    </message>
+    <message>
+        <source>Mist rate</source>
+        <translation>Rychlost tvorby mlhy</translation>
+    </message>
+    <message>
+        <source>Share of the particles at the surface of water that turns to mist a second, at three times that speed.</source>
+        <translation>Podíl částic na povrchu vody, který se za sekundu promění v mlhu při trojnásobku té rychlosti.</translation>
+    </message>
+    <message>
+        <source>Powder from</source>
+        <translation>Prach od</translation>
+    </message>
+    <message>
+        <source>Speed against the air from which the surface of snow is whirled up.</source>
+        <translation>Rychlost vůči vzduchu, od které se povrch sněhu víří.</translation>
+    </message>
+    <message>
+        <source>Powder rate</source>
+        <translation>Rychlost tvorby prachu</translation>
+    </message>
+    <message>
+        <source>Share of the particles at the surface of snow that turns to powder a second, at three times that speed.</source>
+        <translation>Podíl částic na povrchu sněhu, který se za sekundu promění v prach při trojnásobku té rychlosti.</translation>
+    </message>
+    <message>
+        <source>Most given</source>
+        <translation>Nejvíce odevzdáno</translation>
+    </message>
+    <message>
+        <source>Share of its mass that a particle in the flow gives to the air at most.</source>
+        <translation>Největší podíl hmotnosti, který částice v proudu odevzdá vzduchu.</translation>
+    </message>
+    <message>
+        <source>Spray</source>
+        <translation>Tříšť</translation>
+    </message>
+    <message>
+        <source>Particles that are alone leave the flow and fly on as drops.</source>
+        <translation>Osamělé částice opouštějí proud a letí dál jako kapky.</translation>
+    </message>
+    <message>
+        <source>Drops</source>
+        <translation>Kapky</translation>
+    </message>
+    <message>
+        <source>Diameter of the largest drops of spray; the air tears them to smaller ones where they are fast.</source>
+        <translation>Průměr největších kapek tříště; rychlé kapky vzduch roztrhá na menší.</translation>
+    </message>
+    <message>
+        <source>Snow clumps</source>
+        <translation>Hroudy sněhu</translation>
+    </message>
+    <message>
+        <source>Diameter of the clumps of snow that fly on their own.</source>
+        <translation>Průměr hrud sněhu, které letí samostatně.</translation>
+    </message>
+    <message>
+        <source>Life of spray</source>
+        <translation>Životnost tříště</translation>
+    </message>
+    <message>
+        <source>Time in which flying drops and clumps fray into mist or powder, to 37 %.</source>
+        <translation>Doba, za kterou se letící kapky a hroudy rozpadnou na mlhu či prach až na 37 %.</translation>
+    </message>
+    <message>
+        <source>Spray rate</source>
+        <translation>Rychlost tvorby tříště</translation>
+    </message>
+    <message>
+        <source>Share of a particle at the surface of water that is thrown up a second where air is trapped, a crest breaks and energy is high.</source>
+        <translation>Podíl částice na povrchu vody, který je za sekundu vymrštěn tam, kde se zachytává vzduch, láme se hřeben a je mnoho energie.</translation>
+    </message>
+    <message>
+        <source>Trapped air from</source>
+        <translation>Zachycený vzduch od</translation>
+    </message>
+    <message>
+        <source>Mean speed at which neighbours come nearer from which air is trapped (Ihmsen et al. 2012).</source>
+        <translation>Střední rychlost přibližování sousedů, od které se zachytává vzduch (Ihmsen a kol. 2012).</translation>
+    </message>
+    <message>
+        <source>Trapped air up to</source>
+        <translation>Zachycený vzduch do</translation>
+    </message>
+    <message>
+        <source>The same, beyond which no more is thrown up.</source>
+        <translation>Totéž; nad touto hodnotou se už nevymršťuje více.</translation>
+    </message>
+    <message>
+        <source>Crests from</source>
+        <translation>Hřebeny od</translation>
+    </message>
+    <message>
+        <source>Bend of the surface from which a wave&apos;s crest breaks (Ihmsen et al. 2012): mean of 1 - cosine of the angle between normals.</source>
+        <translation>Zakřivení povrchu, od kterého se hřeben vlny láme (Ihmsen a kol. 2012): průměr 1 - kosinus úhlu mezi normálami.</translation>
+    </message>
+    <message>
+        <source>Crests up to</source>
+        <translation>Hřebeny do</translation>
+    </message>
+    <message>
+        <source>Energy from</source>
+        <translation>Energie od</translation>
+    </message>
+    <message>
+        <source>Kinetic energy per kilogram from which water is thrown up (Ihmsen et al. 2012).</source>
+        <translation>Kinetická energie na kilogram, od které se voda vymršťuje (Ihmsen a kol. 2012).</translation>
+    </message>
+    <message>
+        <source>Energy up to</source>
+        <translation>Energie do</translation>
+    </message>
+    <message>
+        <source>Most spray</source>
+        <translation>Nejvíce tříště</translation>
+    </message>
+    <message>
+        <source>Parcels of spray at most; beyond, what is alone stays in the flow and nothing is thrown up.</source>
+        <translation>Největší počet balíků tříště; nad ním zůstává osamělé v proudu a nic se nevymršťuje.</translation>
+    </message>
+    <message>
+        <source>Mist and powder</source>
+        <translation>Mlha a sněhový prach</translation>
+    </message>
+    <message>
+        <source>What hangs in the air over water and avalanches, and how it is computed.</source>
+        <translation>Co visí ve vzduchu nad vodou a lavinami a jak se to počítá.</translation>
+    </message>
+    <message>
+        <source>Pause mist and powder</source>
+        <translation>Pozastavit mlhu a prach</translation>
+    </message>
+    <message>
+        <source>While it is on, mist, powder and spray stand still and everything else goes on.</source>
+        <translation>Dokud je zapnuto, mlha, prach a tříšť stojí a vše ostatní pokračuje.</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>
@@ -2450,6 +2762,10 @@
     <message>
         <source>The ground round all %1 copies of %2 has small cover cells, which takes much time and memory. Switch that off for what stands in great numbers.</source>
         <translation>Zem kolem všech %1 kopií %2 má malé buňky pokrývky, což stojí mnoho času a paměti. U toho, čeho je mnoho, to vypněte.</translation>
+    </message>
+    <message>
+        <source>Mist and powder come from what flows. Add a water source or an avalanche release.</source>
+        <translation>Mlha a prach vznikají z toho, co teče. Přidejte zdroj vody nebo odtrh laviny.</translation>
     </message>
 </context>
 <context>
@@ -3860,6 +4176,14 @@
     <message>
         <source>Shows the value on a plane across this axis instead of in the whole cloud; where the plane stands is set at the picture settings.</source>
         <translation>Ukáže hodnotu na rovině kolmé k této ose místo v celém oblaku; poloha roviny se nastavuje v nastavení obrázku.</translation>
+    </message>
+    <message>
+        <source>Pause &amp;mist and powder from here</source>
+        <translation>Pozastavit odtud &amp;mlhu a prach</translation>
+    </message>
+    <message>
+        <source>Mist, powder and spray stand still from the shown frame on</source>
+        <translation>Od zobrazeného snímku mlha, prach a tříšť stojí</translation>
     </message>
 </context>
 <context>

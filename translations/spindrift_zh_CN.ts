@@ -2400,6 +2400,318 @@
         <source>Air range to</source>
         <translation>空气范围上限</translation>
     </message>
+    <message>
+        <source>Semi-Lagrangian</source>
+        <translation>半拉格朗日</translation>
+    </message>
+    <message>
+        <source>MacCormack</source>
+        <translation>MacCormack</translation>
+    </message>
+    <message>
+        <source>Cubic</source>
+        <translation>三次插值</translation>
+    </message>
+    <message>
+        <source>Conjugate gradients with multigrid</source>
+        <translation>共轭梯度（多重网格预处理）</translation>
+    </message>
+    <message>
+        <source>Jacobi sweeps</source>
+        <translation>Jacobi 迭代</translation>
+    </message>
+    <message>
+        <source>Gauss-Seidel sweeps</source>
+        <translation>Gauss-Seidel 迭代</translation>
+    </message>
+    <message>
+        <source>Density of humid air and its load</source>
+        <translation>湿空气及其载荷的密度</translation>
+    </message>
+    <message>
+        <source>Difference of stacked cells</source>
+        <translation>上下单元之差</translation>
+    </message>
+    <message>
+        <source>Fog density</source>
+        <translation>雾密度</translation>
+    </message>
+    <message>
+        <source>Edge of the air&apos;s cells; 0 takes four spacings of the flow. Half of it takes eight times the cells.</source>
+        <translation>空气单元的边长；0 表示取流动粒子间距的四倍。边长减半，单元数为八倍。</translation>
+    </message>
+    <message>
+        <source>Exchange every</source>
+        <translation>交换间隔</translation>
+    </message>
+    <message>
+        <source>Longest film time from one exchange between flow and air to the next; longer frames are cut.</source>
+        <translation>流动与空气两次交换之间的最长影片时间；更长的帧会被分段。</translation>
+    </message>
+    <message>
+        <source>Advection</source>
+        <translation>平流</translation>
+    </message>
+    <message>
+        <source>How the wind of the cloud is carried along: semi-Lagrangian as published, or one of two sharper schemes.</source>
+        <translation>云中气流的输运方式：按原文的半拉格朗日，或两种更锐利的格式之一。</translation>
+    </message>
+    <message>
+        <source>Reflection</source>
+        <translation>反射</translation>
+    </message>
+    <message>
+        <source>Two projections a step keep eddies alive that one would damp.</source>
+        <translation>每步两次投影可保留一次投影会衰减的涡旋。</translation>
+    </message>
+    <message>
+        <source>Pressure solver</source>
+        <translation>压力求解器</translation>
+    </message>
+    <message>
+        <source>How the pressure is found: to the tolerance, or by a fixed number of sweeps as published.</source>
+        <translation>压力的求解方式：达到容差，或按原文用固定次数的迭代。</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>容差</translation>
+    </message>
+    <message>
+        <source>Residual of the pressure over its right side, at most.</source>
+        <translation>压力方程残差与右端项之比的上限。</translation>
+    </message>
+    <message>
+        <source>Lift by</source>
+        <translation>浮力依据</translation>
+    </message>
+    <message>
+        <source>What makes the cloud rise or sink: the density of humid air with its load, or one of two published forms.</source>
+        <translation>云上升或下沉的原因：湿空气及其载荷的密度，或两种已发表的形式之一。</translation>
+    </message>
+    <message>
+        <source>How far the air reaches beyond the sides of the flow&apos;s box.</source>
+        <translation>空气范围超出流动区域侧面的距离。</translation>
+    </message>
+    <message>
+        <source>How far the air reaches above the flow&apos;s box; what rises higher leaves.</source>
+        <translation>空气范围高出流动区域的高度；升得更高的即离开。</translation>
+    </message>
+    <message>
+        <source>Eddy viscosity</source>
+        <translation>涡粘性</translation>
+    </message>
+    <message>
+        <source>Mixing by eddies that are smaller than a cell.</source>
+        <translation>小于单元的涡旋引起的混合。</translation>
+    </message>
+    <message>
+        <source>Mist evaporates</source>
+        <translation>水雾蒸发</translation>
+    </message>
+    <message>
+        <source>Mist and vapour seek saturation: mist thins out in dry air and forms where moist air cools.</source>
+        <translation>水雾与水汽趋向饱和：水雾在干空气中变稀，在湿空气冷却处生成。</translation>
+    </message>
+    <message>
+        <source>Mist droplets</source>
+        <translation>雾滴</translation>
+    </message>
+    <message>
+        <source>Diameter of the droplets of mist: they sink and scatter light by it.</source>
+        <translation>雾滴直径：决定其下沉和散射光的方式。</translation>
+    </message>
+    <message>
+        <source>Powder grains</source>
+        <translation>粉雪颗粒</translation>
+    </message>
+    <message>
+        <source>Diameter of the grains of powder snow.</source>
+        <translation>粉雪颗粒的直径。</translation>
+    </message>
+    <message>
+        <source>Water temperature</source>
+        <translation>水温</translation>
+    </message>
+    <message>
+        <source>Temperature of all water that flows: warmer than the air its mist rises, colder it hugs the ground.</source>
+        <translation>所有流水的温度：比空气暖则水雾上升，比空气冷则贴近地面。</translation>
+    </message>
+    <message>
+        <source>Water warms air</source>
+        <translation>水加热空气</translation>
+    </message>
+    <message>
+        <source>The surface of water and its drops give heat and vapour to the air that passes, or take them.</source>
+        <translation>水面和水滴向流过的空气给出热量和水汽，或从中吸取。</translation>
+    </message>
+    <message>
+        <source>Impact from</source>
+        <translation>撞击阈值</translation>
+    </message>
+    <message>
+        <source>Acceleration from which a particle counts as hitting something.</source>
+        <translation>粒子被视为发生撞击的加速度下限。</translation>
+    </message>
+    <message>
+        <source>Mist by impact</source>
+        <translation>撞击成雾</translation>
+    </message>
+    <message>
+        <source>Share of water that an impact turns to mist per metre a second of speed that it takes.</source>
+        <translation>撞击每消去 1 米/秒的速度，转化为水雾的水的比例。</translation>
+    </message>
+    <message>
+        <source>Powder by impact</source>
+        <translation>撞击成粉雪</translation>
+    </message>
+    <message>
+        <source>Share of snow that an impact turns to powder per metre a second of speed that it takes.</source>
+        <translation>撞击每消去 1 米/秒的速度，转化为粉雪的雪的比例。</translation>
+    </message>
+    <message>
+        <source>Mist from</source>
+        <translation>成雾速度</translation>
+    </message>
+    <message>
+        <source>Speed against the air from which the surface of water frays.</source>
+        <translation>水面开始破碎的相对空气速度。</translation>
+    </message>
+    <message>
+        <source>Mist rate</source>
+        <translation>成雾速率</translation>
+    </message>
+    <message>
+        <source>Share of the particles at the surface of water that turns to mist a second, at three times that speed.</source>
+        <translation>在该速度的三倍时，水面粒子每秒转化为水雾的比例。</translation>
+    </message>
+    <message>
+        <source>Powder from</source>
+        <translation>扬雪速度</translation>
+    </message>
+    <message>
+        <source>Speed against the air from which the surface of snow is whirled up.</source>
+        <translation>雪面开始扬起的相对空气速度。</translation>
+    </message>
+    <message>
+        <source>Powder rate</source>
+        <translation>扬雪速率</translation>
+    </message>
+    <message>
+        <source>Share of the particles at the surface of snow that turns to powder a second, at three times that speed.</source>
+        <translation>在该速度的三倍时，雪面粒子每秒转化为粉雪的比例。</translation>
+    </message>
+    <message>
+        <source>Most given</source>
+        <translation>最大给出比例</translation>
+    </message>
+    <message>
+        <source>Share of its mass that a particle in the flow gives to the air at most.</source>
+        <translation>流动中的粒子最多给予空气的质量比例。</translation>
+    </message>
+    <message>
+        <source>Spray</source>
+        <translation>水花</translation>
+    </message>
+    <message>
+        <source>Particles that are alone leave the flow and fly on as drops.</source>
+        <translation>孤立的粒子离开流动，作为液滴继续飞行。</translation>
+    </message>
+    <message>
+        <source>Drops</source>
+        <translation>液滴</translation>
+    </message>
+    <message>
+        <source>Diameter of the largest drops of spray; the air tears them to smaller ones where they are fast.</source>
+        <translation>水花中最大液滴的直径；速度快时空气会将其撕碎。</translation>
+    </message>
+    <message>
+        <source>Snow clumps</source>
+        <translation>雪团</translation>
+    </message>
+    <message>
+        <source>Diameter of the clumps of snow that fly on their own.</source>
+        <translation>独自飞行的雪团的直径。</translation>
+    </message>
+    <message>
+        <source>Life of spray</source>
+        <translation>水花寿命</translation>
+    </message>
+    <message>
+        <source>Time in which flying drops and clumps fray into mist or powder, to 37 %.</source>
+        <translation>飞行的液滴和雪团散成水雾或粉雪、仅余 37 % 所需的时间。</translation>
+    </message>
+    <message>
+        <source>Spray rate</source>
+        <translation>水花速率</translation>
+    </message>
+    <message>
+        <source>Share of a particle at the surface of water that is thrown up a second where air is trapped, a crest breaks and energy is high.</source>
+        <translation>在卷入空气、波峰破碎且能量高处，水面粒子每秒被抛起的比例。</translation>
+    </message>
+    <message>
+        <source>Trapped air from</source>
+        <translation>卷入空气下限</translation>
+    </message>
+    <message>
+        <source>Mean speed at which neighbours come nearer from which air is trapped (Ihmsen et al. 2012).</source>
+        <translation>邻近粒子平均接近速度达到此值时开始卷入空气（Ihmsen 等，2012）。</translation>
+    </message>
+    <message>
+        <source>Trapped air up to</source>
+        <translation>卷入空气上限</translation>
+    </message>
+    <message>
+        <source>The same, beyond which no more is thrown up.</source>
+        <translation>同上，超过此值抛起量不再增加。</translation>
+    </message>
+    <message>
+        <source>Crests from</source>
+        <translation>波峰下限</translation>
+    </message>
+    <message>
+        <source>Bend of the surface from which a wave&apos;s crest breaks (Ihmsen et al. 2012): mean of 1 - cosine of the angle between normals.</source>
+        <translation>波峰开始破碎的表面弯曲度（Ihmsen 等，2012）：法线夹角的 1 - 余弦的平均值。</translation>
+    </message>
+    <message>
+        <source>Crests up to</source>
+        <translation>波峰上限</translation>
+    </message>
+    <message>
+        <source>Energy from</source>
+        <translation>能量下限</translation>
+    </message>
+    <message>
+        <source>Kinetic energy per kilogram from which water is thrown up (Ihmsen et al. 2012).</source>
+        <translation>水开始被抛起的每千克动能（Ihmsen 等，2012）。</translation>
+    </message>
+    <message>
+        <source>Energy up to</source>
+        <translation>能量上限</translation>
+    </message>
+    <message>
+        <source>Most spray</source>
+        <translation>水花上限</translation>
+    </message>
+    <message>
+        <source>Parcels of spray at most; beyond, what is alone stays in the flow and nothing is thrown up.</source>
+        <translation>水花包的最大数量；超过后孤立粒子留在流动中，不再抛起。</translation>
+    </message>
+    <message>
+        <source>Mist and powder</source>
+        <translation>水雾与粉雪</translation>
+    </message>
+    <message>
+        <source>What hangs in the air over water and avalanches, and how it is computed.</source>
+        <translation>水流与雪崩上方悬浮于空气中的东西及其计算方式。</translation>
+    </message>
+    <message>
+        <source>Pause mist and powder</source>
+        <translation>暂停水雾与粉雪</translation>
+    </message>
+    <message>
+        <source>While it is on, mist, powder and spray stand still and everything else goes on.</source>
+        <translation>开启时水雾、粉雪和水花静止，其余一切继续。</translation>
+    </message>
 </context>
 <context>
     <name>SceneChecks</name>
@@ -2450,6 +2762,10 @@
     <message>
         <source>The ground round all %1 copies of %2 has small cover cells, which takes much time and memory. Switch that off for what stands in great numbers.</source>
         <translation>%2 的全部 %1 个副本周围的地面都使用小积雪单元，会耗费大量时间和内存。数量众多的物体请关闭此项。</translation>
+    </message>
+    <message>
+        <source>Mist and powder come from what flows. Add a water source or an avalanche release.</source>
+        <translation>水雾与粉雪来自流动的物质。请添加水源或雪崩释放区。</translation>
     </message>
 </context>
 <context>
@@ -3852,6 +4168,14 @@
     <message>
         <source>Shows the value on a plane across this axis instead of in the whole cloud; where the plane stands is set at the picture settings.</source>
         <translation>在垂直于此轴的平面上显示该数值,而不是在整个云团中显示;平面的位置在图片设置中设定。</translation>
+    </message>
+    <message>
+        <source>Pause &amp;mist and powder from here</source>
+        <translation>从此处暂停水雾与粉雪(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Mist, powder and spray stand still from the shown frame on</source>
+        <translation>从显示的帧起水雾、粉雪和水花静止</translation>
     </message>
 </context>
 <context>

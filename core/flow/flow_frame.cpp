@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "core/base/units.h"
+#include "core/sph/flow_setup.h"
 
 namespace spin {
 namespace {
@@ -28,10 +29,7 @@ constexpr double kIsolatedShare = 0.15, kSurfaceNeighbours = 0.6, kSurfaceDensit
 
 class Publisher {
  public:
-  Publisher(const FlowReport& report, double film) : m_report(report), m_film(film) {
-    const double reach = report.config.supportSpacings;
-    m_bulkNeighbours = 4.0 / 3.0 * kPi * reach * reach * reach - 1.0;
-  }
+  Publisher(const FlowReport& report, double film) : m_report(report), m_film(film) {}
 
   std::shared_ptr<ParticlePart> part(const std::vector<FlowSample>& samples) {
     auto part = std::make_shared<ParticlePart>();
@@ -69,7 +67,7 @@ class Publisher {
     put(m_film - birthOf(s.particle.id));
     put(std::max(s.neighbours, 0));
     put(s.particle.material);
-    put(static_cast<double>(classOf(s, density / rest)));
+    put(static_cast<double>(flowClassOf(m_report.config, s)));
   }
 
   /// Samples come by id, so the births are walked once.
@@ -79,19 +77,8 @@ class Publisher {
     return births.empty() ? m_film : births[m_birth].film;
   }
 
-  FlowClass classOf(const FlowSample& s, double densityRatio) const {
-    if (s.neighbours < 0) return FlowClass::Main;
-    if (s.neighbours <= kIsolatedShare * m_bulkNeighbours) return FlowClass::Isolated;
-    // The carried density does not tell where the surface is.
-    const bool atSurface = m_report.config.density == DensityMode::Summation
-                               ? densityRatio < kSurfaceDensity
-                               : s.neighbours < kSurfaceNeighbours * m_bulkNeighbours;
-    return atSurface ? FlowClass::Surface : FlowClass::Main;
-  }
-
   const FlowReport& m_report;
   double m_film;
-  double m_bulkNeighbours = 0.0;
   std::size_t m_birth = 0;
 };
 
@@ -106,22 +93,31 @@ std::shared_ptr<ParticlePart> boundaryPart(const std::vector<Vec3d>& places) {
   return part;
 }
 
-double massOf(const FlowConfig& config, const std::array<std::uint64_t, kMostMaterials>& counts) {
+using FlowCounts = std::array<std::uint64_t, kMostMaterials>;
+using FlowShares = std::array<std::int64_t, kMostMaterials>;
+
+/// Of so many particles, less what they have given away.
+double massOf(const FlowConfig& config, const FlowCounts& counts, const FlowShares& given = {}) {
   double sum = 0.0;
   for (std::size_t m = 0; m < config.materials.size(); ++m)
-    sum += static_cast<double>(counts[m]) * config.particleMass(m);
+    sum += (static_cast<double>(counts[m]) - static_cast<double>(given[m]) * kGivenUnit) *
+           config.particleMass(m);
   return sum;
 }
 
 void publishBudget(const FlowReport& r, const std::vector<FlowSample>& samples, MassBudget& budget) {
-  std::array<std::uint64_t, kMostMaterials> moving{};
-  for (const FlowSample& s : samples) ++moving[s.particle.material];
+  FlowCounts moving{};
+  FlowShares given{};
+  for (const FlowSample& s : samples) {
+    ++moving[s.particle.material];
+    given[s.particle.material] += unitsGiven(s.particle.given);
+  }
   const FlowLosses losses = r.solver.losses();
   budget.set("flow_released", true, massOf(r.config, r.account.released));
   budget.set("flow_inflow", true, massOf(r.config, r.account.inflow));
-  budget.set("flow_present", false, massOf(r.config, moving));
-  budget.set("flow_left", false, massOf(r.config, losses.left));
-  budget.set("flow_sunk", false, massOf(r.config, losses.sunk));
+  budget.set("flow_present", false, massOf(r.config, moving, given));
+  budget.set("flow_left", false, massOf(r.config, losses.left, losses.leftGiven));
+  budget.set("flow_sunk", false, massOf(r.config, losses.sunk, losses.sunkGiven));
 }
 
 void publishMotion(const FlowReport& r, const std::vector<FlowSample>& samples,
@@ -147,6 +143,19 @@ void publishMotion(const FlowReport& r, const std::vector<FlowSample>& samples,
 }
 
 }  // namespace
+
+FlowClass flowClassOf(const FlowConfig& config, const FlowSample& s) {
+  if (s.neighbours < 0) return FlowClass::Main;
+  const double reach = config.supportSpacings;
+  const double bulk = 4.0 / 3.0 * kPi * reach * reach * reach - 1.0;
+  if (s.neighbours <= kIsolatedShare * bulk) return FlowClass::Isolated;
+  // The carried density does not tell where the surface is. What has just entered has none yet.
+  const bool atSurface =
+      config.density == DensityMode::Summation
+          ? s.density > 0.0 && s.density < kSurfaceDensity * config.materials[s.particle.material].restDensity
+          : s.neighbours < kSurfaceNeighbours * bulk;
+  return atSurface ? FlowClass::Surface : FlowClass::Main;
+}
 
 double flowFrameBytes() {
   double floats = 3.0;

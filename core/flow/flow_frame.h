@@ -17,6 +17,9 @@ enum class FlowClass : std::uint8_t {
   Surface,   ///< at the surface of the flow
 };
 
+/// Class of a particle; Main unless its latest step was sampled.
+FlowClass flowClassOf(const FlowConfig& config, const FlowSample& sample);
+
 /// Particles that entered together.
 struct FlowBirth {
   std::uint32_t firstId = 0;

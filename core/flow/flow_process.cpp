@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "core/flow/flow_coupling.h"
 #include "core/flow/flow_estimate.h"
 #include "core/flow/flow_frame.h"
 #include "core/flow/flow_inputs.h"
@@ -56,7 +58,9 @@ class FlowProcess final : public Process {
           followKeys(input.scene, m_bodies, m_solver->bodies(), input.from.film, input.to.film));
       if (!moved) return moved;
     }
+    m_coupling = context.exchange.find<FlowCoupling>();
     const Status done = advance(input, context);
+    m_coupling = nullptr;
     context.backend.timings().merge(m_solver->timings());
     m_solver->timings().clear();
     return done;
@@ -219,19 +223,50 @@ class FlowProcess final : public Process {
   Status advance(const StepInput& input, ProcessContext& context) {
     const std::vector<ActiveInflow> inflows = activeInflows(input);
     const double from = input.from.film, end = input.to.film;
+    const int parts = m_coupling ? m_coupling->partsOf(end - from) : 1;
+    int part = 1;  // the one that is under way
+    const auto partEnd = [&](int k) { return k == parts ? end : from + (end - from) * k / parts; };
+    if (Status entered = rejoin(from); !entered) return entered;
     for (double now = from; now < end - kSameTime;) {
       if (context.cancel.cancelled())
         return Error{ErrorKind::Cancelled, "The simulation stopped", "flow", "it was cancelled", ""};
       if (context.progress) context.progress((now - from) / (end - from));
       if (Status done = release(input.scene, now); !done) return done;
       if (Status done = inflow(inflows, now); !done) return done;
-      const double next = nextEvent(inflows, now, end);
-      const Result<double> seconds = oneStep(next - now, next == end);
+      const double next = nextEvent(inflows, now, partEnd(part));
+      const Result<double> seconds = oneStep(next - now, next == partEnd(part));
       if (!seconds) return seconds.error();
       for (std::size_t k = 0; k < inflows.size(); ++k)
         if (inflows[k].runs(now)) m_clocks[k].advance(*seconds, inflows[k].lattice.interval);
       now = next - now - *seconds < kSameTime ? next : now + *seconds;
+      if (now < partEnd(part)) continue;
+      if (m_coupling) {
+        const FlowPart done{input, partEnd(part - 1), now, *m_solver, m_config, context};
+        if (Status acted = m_coupling->after(done); !acted) return acted;
+        // What comes back at the end of a frame enters at the beginning of the next: it has no samples yet.
+        if (part < parts)
+          if (Status entered = rejoin(now); !entered) return entered;
+      }
+      ++part;
     }
+    return {};
+  }
+
+  /// Particles that come back into the flow. What finds no place is given back.
+  Status rejoin(double now) {
+    if (!m_coupling || m_coupling->rejoining.empty()) return {};
+    const std::vector<FlowParticle> coming = std::exchange(m_coupling->rejoining, {});
+    const std::uint32_t first = m_nextId;
+    const std::size_t before = m_solver->count();
+    m_births.push_back({first, now});
+    m_nextId += static_cast<std::uint32_t>(coming.size());
+    if (Status added = m_solver->add(coming); !added) return added;
+    if (m_solver->count() - before == coming.size()) return {};
+    std::vector<bool> there(coming.size(), false);
+    for (const FlowSample& s : m_solver->samples())
+      if (s.particle.id >= first) there[s.particle.id - first] = true;
+    for (std::size_t k = 0; k < coming.size(); ++k)
+      if (!there[k]) m_coupling->refused.push_back(coming[k]);
     return {};
   }
 
@@ -278,7 +313,8 @@ class FlowProcess final : public Process {
   std::uint32_t m_nextId = 0;  ///< of the next particle
   double m_lastStep = 0.0;     ///< s
 
-  FlowStepCount m_steps;  ///< of the latest frame
+  FlowCoupling* m_coupling = nullptr;  ///< during a step, where there is one
+  FlowStepCount m_steps;               ///< of the latest frame
 };
 
 }  // namespace

@@ -11,10 +11,10 @@ void saveFlowState(const FlowSolverState& state, ByteWriter& out) {
   out.putArray(p.extras);
   out.putArray(p.ids);
   out.putArray(p.excess);
+  out.putArray(p.given);
   out.put(state.nextId);
   out.put(state.lastStep);
-  for (const auto* counts : {&state.losses.left, &state.losses.sunk})
-    for (const std::uint64_t count : *counts) out.put(count);
+  out.put(state.losses);
   out.putArray(state.bodies);
 }
 
@@ -26,10 +26,10 @@ FlowSolverState loadFlowState(ByteReader& in) {
   p.extras = in.getArray<ParticleExtra>();
   p.ids = in.getArray<std::uint32_t>();
   p.excess = in.getArray<float>();
+  p.given = in.getArray<std::int32_t>();
   state.nextId = in.get<std::uint32_t>();
   state.lastStep = in.get<double>();
-  for (auto* counts : {&state.losses.left, &state.losses.sunk})
-    for (std::uint64_t& count : *counts) count = in.get<std::uint64_t>();
+  state.losses = in.get<FlowLosses>();
   state.bodies = in.getArray<RigidState>();
   return state;
 }

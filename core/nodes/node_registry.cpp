@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "core/nodes/air_nodes.h"
 #include "core/nodes/camera_node.h"
 #include "core/nodes/cover_nodes.h"
 #include "core/nodes/flake_node.h"
@@ -17,12 +18,17 @@
 namespace spin {
 
 std::span<const NodeType* const> nodeTypes() {
-  static constexpr std::array kTypes{
-      &kTerrainType,        &kModelType,          &kGroundTypeLayerType, &kGroundTemperatureLayerType,
-      &kSnowDepthLayerType, &kKeepClearLayerType, &kWeatherType,         &kSnowfallType,
-      &kFlakeType,          &kSnowCoverType,      &kHeatSourceType,      &kAvalancheReleaseType,
-      &kWaterSourceType,    &kFlowSinkType,       &kRigidBodyType,       &kFlowMaterialType,
-      &kFlowSettingsType,   &kCameraType,         &kRenderType,          &kSimulationType};
+  static constexpr std::array kTypes{&kTerrainType,         &kModelType,
+                                     &kGroundTypeLayerType, &kGroundTemperatureLayerType,
+                                     &kSnowDepthLayerType,  &kKeepClearLayerType,
+                                     &kWeatherType,         &kSnowfallType,
+                                     &kFlakeType,           &kSnowCoverType,
+                                     &kHeatSourceType,      &kAvalancheReleaseType,
+                                     &kWaterSourceType,     &kFlowSinkType,
+                                     &kRigidBodyType,       &kFlowMaterialType,
+                                     &kFlowSettingsType,    &kAirType,
+                                     &kCameraType,          &kRenderType,
+                                     &kSimulationType};
   return kTypes;
 }
 

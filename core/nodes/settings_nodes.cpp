@@ -332,6 +332,10 @@ constexpr PropertyRow kSimulationRows[] = {
         "pause_flow", SPIN_TR("Pause flow"),
         SPIN_TR("While it is on, avalanches, water and bodies stand still and everything else goes on."))
         .animated(),
+    property<&SimulationNode::pauseAir>(
+        "pause_air", SPIN_TR("Pause mist and powder"),
+        SPIN_TR("While it is on, mist, powder and spray stand still and everything else goes on."))
+        .animated(),
 };
 
 }  // namespace

@@ -111,6 +111,7 @@ struct SimulationNode : NodeData {
   int checkpointInterval = 24;    ///< frames
   bool pauseSnow = false;         ///< snowfall and cover stand still
   bool pauseFlow = false;         ///< avalanches, water and bodies stand still
+  bool pauseAir = false;          ///< mist, powder and spray stand still
 };
 extern const NodeType kSimulationType;
 

@@ -24,6 +24,7 @@ Pipeline Pipeline::compile(const SceneSnapshot& scene, const std::vector<Process
 bool isPaused(const SceneSnapshot& scene, const Process& process, double filmTime) {
   const SimulationNode settings = scene.settings<SimulationNode>(filmTime);
   const std::string_view id = process.id();
+  if (id == "air") return settings.pauseAir;
   const bool flows = id == "flow" || id == "rigid";
   return flows ? settings.pauseFlow : settings.pauseSnow;
 }

@@ -23,6 +23,11 @@ class FlowSolver;
 /// Makes the particle solver on the device that a run was asked for; empty: on the processor.
 using FlowSolverFactory = std::function<Result<std::unique_ptr<FlowSolver>>(const FlowConfig&)>;
 
+struct AirConfig;
+class AirSolver;
+/// Likewise the solver of what hangs in the air.
+using AirSolverFactory = std::function<Result<std::unique_ptr<AirSolver>>(const AirConfig&)>;
+
 class MapRaster;
 class Occluders;
 /// Makes what draws occlusion maps on that device; empty, or null made: on the processor.
@@ -58,6 +63,7 @@ struct ProcessContext {
   Isa isa = bestIsa();                   ///< instruction set of hot loops
   FlowSolverFactory makeFlowSolver = {};
   MapRasterFactory makeMapRaster = {};
+  AirSolverFactory makeAirSolver = {};
 };
 
 /// A step from one frame to the next.

@@ -20,7 +20,8 @@ struct RunOptions {
   RaySceneFactory makeRayScene = makeBvhRayScene;
   FlowSolverFactory makeFlowSolver = {};  ///< empty: on the processor, with `isa`
   MapRasterFactory makeMapRaster = {};    ///< likewise
-  std::string device;                     ///< what these two compute on ("cuda-sm90"); part of the keys
+  AirSolverFactory makeAirSolver = {};    ///< likewise
+  std::string device;                     ///< what these compute on ("cuda-sm90"); part of the keys
   bool lowPriority = false;               ///< leave the processor to the user's window (Runner always does)
   std::vector<ProcessType> types = processTypes();  ///< the processes to choose from
 };

@@ -107,7 +107,8 @@ ProcessContext SimulationRun::context() {
           [this](double fraction) { report(fraction, false); },
           m_isa,
           m_options.makeFlowSolver,
-          m_options.makeMapRaster};
+          m_options.makeMapRaster,
+          m_options.makeAirSolver};
 }
 
 void SimulationRun::discardState() {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/units.h"
 #include "core/physics/humidity.h"
@@ -115,6 +116,41 @@ CoverCells::Fallen CoverCells::fall(const SceneSnapshot& scene, double filmTime,
     }
   }
   return total;
+}
+
+std::optional<std::size_t> CoverCells::terrainCellAt(Vec3d position) const {
+  for (const TerrainGrid& terrain : m_ground.terrain) {
+    const Raster<float>& base = m_ground.layout->grids[terrain.grid].base;
+    const auto i = static_cast<int>(std::lround((position.x - base.originX) / base.cellSize));
+    const auto j = static_cast<int>(std::lround((position.y - base.originY) / base.cellSize));
+    if (i < 0 || j < 0 || i >= base.width || j >= base.height) continue;
+    const std::size_t cell = m_site.firstCells()[terrain.grid] +
+                             static_cast<std::size_t>(j) * static_cast<std::size_t>(base.width) +
+                             static_cast<std::size_t>(i);
+    // Where a finer grid accounts for the ground, the cells of the coarse one have no area.
+    if (areaOf(cell) > 0.0) return cell;
+  }
+  return std::nullopt;
+}
+
+void CoverCells::settle(SnowFallout& fallout, double airTemperature) {
+  for (const SnowGrain& grain : std::exchange(fallout.falling, {})) {
+    const std::optional<std::size_t> cell = terrainCellAt(grain.position);
+    if (!cell) {
+      fallout.refused.push_back(grain);
+      continue;
+    }
+    const double mass = grain.kilograms / areaOf(*cell), depth = mass / grain.density;
+    if (!m_ages) {
+      m_freshMass[*cell] += mass;
+      m_freshDepth[*cell] += depth;
+      continue;
+    }
+    SnowColumn<float> column = m_cells.column(*cell);
+    const double t = std::min(airTemperature + m_site.airOffset(*cell), 0.0);
+    layOnColumn(column, {depth, mass, 0.0, kIceHeat * mass * t});
+    m_cells.setColumn(*cell, column);
+  }
 }
 
 CoverCells::Advanced CoverCells::advance(const SceneSnapshot& scene, const TimeSpan& span, double fallen,

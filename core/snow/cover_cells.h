@@ -3,11 +3,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/sim/serialize.h"
 #include "core/snow/cover_site.h"
 #include "core/snow/cover_weather.h"
 #include "core/snow/exposure_field.h"
+#include "core/snow/snow_fallout.h"
 
 namespace spin {
 
@@ -34,6 +36,9 @@ class CoverCells {
   /// So much precipitation on open level ground, kg/m2, as snow of a density unless the columns decide.
   Fallen fall(const SceneSnapshot& scene, double filmTime, const ExposureField& field,
               const CoverWeather& weather, double fallen, double density, CpuBackend& backend);
+  /// Snow that settled out of the air, at an air temperature above 273.15 K: it lies on the terrain's cells
+  /// below it. What lies beyond them is moved to `refused`.
+  void settle(SnowFallout& fallout, double airTemperature);
   /// What crossed the columns' borders, and the time for which they were advanced.
   struct Advanced {
     SnowStepTotals totals;
@@ -67,6 +72,8 @@ class CoverCells {
 
  private:
   void setSnow(std::size_t cell, double mass, double density, float temperature, float albedo);
+  /// Cell of the terrain that accounts for a place; none beyond it.
+  std::optional<std::size_t> terrainCellAt(Vec3d position) const;
   /// What painted layers say of a grid; null where it has none.
   const GroundLayers* layersOf(std::size_t grid) const;
   /// Share of what falls on a cell that lies there as snow if no column decides.

@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "core/base/log.h"
+#include "core/base/units.h"
 #include "core/nodes/settings_nodes.h"
 #include "core/physics/snow_density.h"
 #include "core/sim/scene_time.h"
+#include "core/sim/scene_weather.h"
 #include "core/snow/cover_cells.h"
 #include "core/snow/exposure_process.h"
 #include "core/snow/snow_inputs.h"
@@ -71,6 +73,7 @@ class CoverProcess final : public Process {
   Status begin(const SceneSnapshot& scene, ProcessContext& context) override {
     takeInputs(context);
     SPIN_CHECK(m_ground && m_field, "the exposure comes before the cover");
+    context.exchange.emplace<SnowFallout>();
     if (const Status dated = checkDates(scene); !dated) return dated;
     m_cells = std::make_unique<CoverCells>(scene, *m_ground, context.backend);
     m_account = {};
@@ -86,6 +89,8 @@ class CoverProcess final : public Process {
   Status step(const StepInput& input, ProcessContext& context) override {
     takeInputs(context);
     SPIN_CHECK(m_cells && m_field, "begin() comes before step()");
+    if (auto* fallout = context.exchange.find<SnowFallout>(); fallout && !fallout->falling.empty())
+      m_cells->settle(*fallout, airAt(input.scene, input.from.film).temperature - kZeroCelsius);
     const TimeSpan whole{input.from, input.to};
     const int parts =
         std::max(static_cast<int>(std::ceil(whole.seconds() / CoverCells::kMostStep - 1e-9)), 1);
@@ -120,6 +125,7 @@ class CoverProcess final : public Process {
   Status loadState(const SceneSnapshot& scene, ProcessContext& context, ByteReader& in) override {
     takeInputs(context);
     SPIN_CHECK(m_ground, "the exposure comes before the cover");
+    context.exchange.emplace<SnowFallout>();
     m_cells = std::make_unique<CoverCells>(scene, *m_ground, context.backend);
     m_account = in.get<Account>();
     if (!in.ok() || !m_cells->load(in))

@@ -15,13 +15,18 @@ namespace spin {
 
 /// Dead particles that are still in the arrays, by material.
 struct FlowLossCount {
-  std::uint32_t left[kMostMaterials], sunk[kMostMaterials];
+  std::uint32_t left[kMostMaterials], sunk[kMostMaterials], taken[kMostMaterials];
+  std::int64_t leftGiven[kMostMaterials], sunkGiven[kMostMaterials], takenGiven[kMostMaterials];
 };
 struct JoinLosses {
   SPIN_HD FlowLossCount operator()(FlowLossCount a, const FlowLossCount& b) const {
     for (std::size_t m = 0; m < kMostMaterials; ++m) {
       a.left[m] += b.left[m];
       a.sunk[m] += b.sunk[m];
+      a.taken[m] += b.taken[m];
+      a.leftGiven[m] += b.leftGiven[m];
+      a.sunkGiven[m] += b.sunkGiven[m];
+      a.takenGiven[m] += b.takenGiven[m];
     }
     return a;
   }
@@ -114,9 +119,11 @@ struct GatherKernel {
   ParticleExtra* extra;
   std::uint32_t *id, *key;
   float* excess;
+  std::int32_t* given;
   SPIN_HD void operator()(std::size_t i) const {
     const std::uint32_t from = order[i];
     excess[i] = v.excess[from];
+    if (v.given) given[i] = v.given[from];
     x[i] = v.x[from];
     y[i] = v.y[from];
     z[i] = v.z[from];
@@ -403,7 +410,11 @@ struct LossesOf {
   SPIN_HD FlowLossCount operator()(std::size_t i) const {
     FlowLossCount count{};
     const ParticleExtra& extra = v.extra[i];
-    if (extra.flags & kDead) (extra.flags & kSunk ? count.sunk : count.left)[extra.material] = 1;
+    if (!(extra.flags & kDead)) return count;
+    const std::int64_t given = v.given ? v.given[i] : 0;
+    const bool taken = extra.flags & kTaken, sunk = extra.flags & kSunk;
+    (taken ? count.taken : sunk ? count.sunk : count.left)[extra.material] = 1;
+    (taken ? count.takenGiven : sunk ? count.sunkGiven : count.leftGiven)[extra.material] = given;
     return count;
   }
 };

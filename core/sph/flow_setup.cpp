@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/physics/kernels.h"
 #include "core/rigid/rigid_world.h"
@@ -307,6 +308,7 @@ void FlowHostState::resize(std::size_t n) {
   extras.resize(n);
   ids.resize(n);
   excess.resize(n);
+  if (!given.empty()) given.resize(n);
 }
 
 Status appendParticles(const FlowConfig& c, const std::vector<RigidState>& bodies,
@@ -318,6 +320,9 @@ Status appendParticles(const FlowConfig& c, const std::vector<RigidState>& bodie
     return badInput(kParticles, {}, "there are more than 2^31");
   const FlowView view = flowView(c);
   const SolidTest inSolid(c, view.walls, bodies);
+  const bool gave =
+      std::any_of(particles.begin(), particles.end(), [](const FlowParticle& p) { return p.given != 0.0; });
+  if (gave) state.given.resize(std::max(before, std::size_t{1}));
   state.resize(before + particles.size());
   std::size_t i = before;
   for (std::size_t k = 0; k < particles.size(); ++k) {
@@ -326,7 +331,7 @@ Status appendParticles(const FlowConfig& c, const std::vector<RigidState>& bodie
     const bool placed = toUnits(local.x, c.support(), view.domainX, c.periodic[0], state.x[i]) &&
                         toUnits(local.y, c.support(), view.domainY, c.periodic[1], state.y[i]) &&
                         toUnits(local.z, c.support(), view.domainZ, c.periodic[2], state.z[i]);
-    if (!placed || !isFinite(p.velocity) || !inRange(p.excess, -0.5, 1.0) ||
+    if (!placed || !isFinite(p.velocity) || !inRange(p.excess, -0.5, 1.0) || !inRange(p.given, -1.0, 1.0) ||
         p.material >= c.materials.size()) {
       state.resize(before);
       return badInput(
@@ -338,10 +343,43 @@ Status appendParticles(const FlowConfig& c, const std::vector<RigidState>& bodie
     state.records[i] = {v.x, v.y, v.z, 0.0f, 0.0f, 0.0f};
     state.extras[i] = {0, 0, 0, p.material, 0};
     state.excess[i] = static_cast<float>(p.excess);
+    if (!state.given.empty()) state.given[i] = unitsGiven(p.given);
     state.ids[i] = firstId + static_cast<std::uint32_t>(k);
     ++i;
   }
   state.resize(i);
+  return {};
+}
+
+Status exchangeParticles(const std::vector<FlowExchange>& changes, FlowHostState& state) {
+  std::vector<std::pair<std::uint32_t, std::size_t>> wanted;  // number of a particle, place in `changes`
+  wanted.reserve(changes.size());
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    const FlowExchange& c = changes[k];
+    if (!isFinite(c.velocity) || !inRange(c.given, -1.0, 1.0))
+      return badInput("The exchange cannot be made", fmt::format("particle {}", c.id),
+                      "its velocity is not finite, or what it gave is not a share");
+    wanted.emplace_back(c.id, k);
+  }
+  std::sort(wanted.begin(), wanted.end());
+  std::vector<std::size_t> place(changes.size(), SIZE_MAX);
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    if (state.extras[i].flags & kDead) continue;
+    const auto found =
+        std::lower_bound(wanted.begin(), wanted.end(), std::pair(state.ids[i], std::size_t{0}));
+    if (found != wanted.end() && found->first == state.ids[i]) place[found->second] = i;
+  }
+  for (std::size_t k = 0; k < changes.size(); ++k)
+    if (place[k] == SIZE_MAX)
+      return badInput("The exchange cannot be made", fmt::format("particle {}", changes[k].id),
+                      "it is not in the flow, or is named twice");
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    const Vec3f v = changes[k].velocity.to<float>();
+    PairRecord& r = state.records[place[k]];
+    r.vx = v.x, r.vy = v.y, r.vz = v.z;
+    state.given[place[k]] = unitsGiven(changes[k].given);
+    if (changes[k].taken) state.extras[place[k]].flags |= kDead | kTaken;
+  }
   return {};
 }
 
@@ -357,6 +395,7 @@ FlowParticle flowParticle(const FlowConfig& c, const FlowHostState& state, std::
   p.material = extra.material;
   p.id = state.ids[i];
   p.excess = static_cast<double>(state.excess[i]);
+  if (!state.given.empty()) p.given = state.given[i] * kGivenUnit;
   return p;
 }
 

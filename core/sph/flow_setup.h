@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "core/sph/flow_solver.h"
@@ -24,6 +26,11 @@ bool mayNeedImplicitViscosity(const FlowConfig& config);
 /// Whether a solver of one configuration can go on with the other: see FlowSolver::reconfigure.
 Status checkReconfiguration(const FlowConfig& from, const FlowConfig& to);
 
+/// A share in whole kGivenUnit.
+inline std::int32_t unitsGiven(double share) {
+  return static_cast<std::int32_t>(std::lround(share / kGivenUnit));
+}
+
 /// Particles as the solver's arrays hold them.
 struct FlowHostState {
   std::vector<std::int32_t> x, y, z;
@@ -31,6 +38,7 @@ struct FlowHostState {
   std::vector<ParticleExtra> extras;
   std::vector<std::uint32_t> ids;
   std::vector<float> excess;
+  std::vector<std::int32_t> given;  ///< kGivenUnit; empty = none has given anything
 
   std::size_t size() const { return x.size(); }
   void resize(std::size_t n);
@@ -40,6 +48,9 @@ struct FlowHostState {
 Status appendParticles(const FlowConfig& config, const std::vector<RigidState>& bodies,
                        const std::vector<FlowParticle>& particles, std::uint32_t firstId,
                        FlowHostState& state);
+/// What FlowSolver::exchange does, to the arrays; `given` is there. Fails, and changes nothing, where a
+/// number is not that of a living particle or comes twice, or a value is out of range.
+Status exchangeParticles(const std::vector<FlowExchange>& changes, FlowHostState& state);
 FlowParticle flowParticle(const FlowConfig& config, const FlowHostState& state, std::size_t i);
 
 }  // namespace spin

@@ -123,6 +123,16 @@ struct FlowParticle {
   std::uint8_t material = 0;
   std::uint32_t id = 0;  ///< in the order of adding, from 0
   double excess = 0.0;   ///< rho / rho0 - 1 to begin with, where the density is carried by continuity
+  double given = 0.0;    ///< share of its mass that it has given away, -1..1; below 0 it has gathered some
+};
+
+/// What something beside the flow does to a particle between steps. Pairs go on with its whole mass, so few
+/// should give much; what was given is kept with the particle and leaves with it.
+struct FlowExchange {
+  std::uint32_t id = 0;
+  Vec3d velocity{};    ///< m/s from now on, rounded to floats
+  double given = 0.0;  ///< share from now on, rounded to kGivenUnit
+  bool taken = false;  ///< it is taken out of the flow
 };
 
 /// What a particle carries at the latest step.
@@ -159,8 +169,11 @@ struct FlowStep {
 
 /// Particles that are no longer there, by material.
 struct FlowLosses {
-  std::array<std::uint64_t, kMostMaterials> left{};  ///< beyond the domain
-  std::array<std::uint64_t, kMostMaterials> sunk{};  ///< taken out by sinks
+  std::array<std::uint64_t, kMostMaterials> left{};   ///< beyond the domain
+  std::array<std::uint64_t, kMostMaterials> sunk{};   ///< taken out by sinks
+  std::array<std::uint64_t, kMostMaterials> taken{};  ///< taken out by exchange()
+  /// Sums of what those had given away before, kGivenUnit.
+  std::array<std::int64_t, kMostMaterials> leftGiven{}, sunkGiven{}, takenGiven{};
 };
 
 class CpuBackend;
@@ -174,6 +187,9 @@ class FlowSolver {
   /// Adds particles at rest or moving; ids go on from the last. Positions within the domain. What lies in a
   /// solid by more than a quarter of a spacing is left out, for there is no room: count() says what is there.
   virtual Status add(const std::vector<FlowParticle>& particles) = 0;
+  /// Changes some of the particles: each once, by the number that it has. Fails where one is not there, and
+  /// then changes nothing.
+  virtual Status exchange(const std::vector<FlowExchange>& changes) = 0;
   /// One step of `most` seconds (> 0), or shorter where stability asks for it.
   virtual Result<FlowStep> step(double most) = 0;
   /// Particles that are alive, by id.

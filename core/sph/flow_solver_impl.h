@@ -51,6 +51,23 @@ class FlowSolverOn final : public FlowSolver {
     });
   }
 
+  Status exchange(const std::vector<FlowExchange>& changes) override {
+    if (changes.empty()) return {};
+    return guarded([&]() -> Status {
+      FlowHostState state = downloaded();
+      if (state.given.empty()) state.given.assign(std::max(state.size(), std::size_t{1}), 0);
+      if (Status ok = exchangeParticles(changes, state); !ok) return ok;
+      // Places and order stay, and with them what the latest step has sampled.
+      state.resize(m_view.count + kPairPadding);
+      m_backend.upload(state.records, m_record);
+      m_backend.upload(state.extras, m_extra);
+      m_backend.upload(state.given, m_given);
+      allocate(m_view.count);
+      point();
+      return {};
+    });
+  }
+
   FlowSolverState state() const override {
     return {downloaded(), m_nextId, m_lastStep, m_losses, m_bodies.world().states()};
   }
@@ -146,7 +163,7 @@ class FlowSolverOn final : public FlowSolver {
   std::size_t bytes() const override {
     const auto of = [](const auto&... array) { return (... + (array.size() * sizeof(*array.data()))); };
     return of(m_x, m_y, m_z, m_otherX, m_otherY, m_otherZ, m_record, m_extra, m_otherExtra, m_excess,
-              m_otherExcess, m_rate, m_ax, m_ay, m_az) +
+              m_otherExcess, m_rate, m_ax, m_ay, m_az, m_given, m_otherGiven) +
            of(m_sx, m_sy, m_sz, m_shear, m_id, m_otherId, m_key, m_otherKey, m_order, m_rows, m_rowBins,
               m_binStart) +
            of(m_ground, m_groundSurfaces, m_contact, m_stress, m_bodyRate, m_wallViscosity) +
@@ -194,6 +211,7 @@ class FlowSolverOn final : public FlowSolver {
     m_backend.download(m_extra, state.extras);
     m_backend.download(m_id, state.ids);
     m_backend.download(m_excess, state.excess);
+    m_backend.download(m_given, state.given);
     state.resize(m_view.count);
     return state;
   }
@@ -209,6 +227,7 @@ class FlowSolverOn final : public FlowSolver {
     m_backend.upload(state.extras, m_extra);
     m_backend.upload(state.ids, m_id);
     m_backend.upload(state.excess, m_excess);
+    m_backend.upload(state.given, m_given);
     m_view.count = static_cast<std::uint32_t>(n);
     m_sampler.forget();
     allocate(n);
@@ -222,6 +241,10 @@ class FlowSolverOn final : public FlowSolver {
     for (std::size_t m = 0; m < kMostMaterials; ++m) {
       losses.left[m] += dead.left[m];
       losses.sunk[m] += dead.sunk[m];
+      losses.taken[m] += dead.taken[m];
+      losses.leftGiven[m] += dead.leftGiven[m];
+      losses.sunkGiven[m] += dead.sunkGiven[m];
+      losses.takenGiven[m] += dead.takenGiven[m];
     }
   }
 
@@ -240,6 +263,7 @@ class FlowSolverOn final : public FlowSolver {
     if (implicitPressure() && m_bodies.any()) m_bodyRate.resize(padded);
     if (mayNeedImplicitViscosity(m_config)) m_viscosity.allocate(padded);
     if (!m_config.walls.ground.empty()) m_contact.resize(padded);
+    if (m_given.size() > 0) m_otherGiven.resize(padded);
     m_otherExtra.resize(padded);
     m_otherId.resize(padded);
     m_otherKey.resize(padded);
@@ -268,6 +292,7 @@ class FlowSolverOn final : public FlowSolver {
     m_pressure.point(m_config, m_view);
     m_viscosity.point(m_view);
     m_view.extra = m_extra.data();
+    m_view.given = m_given.size() > 0 ? m_given.data() : nullptr;
     m_view.id = m_id.data();
     m_view.key = m_key.data();
     m_view.rows = m_rows.data();
@@ -516,16 +541,17 @@ class FlowSolverOn final : public FlowSolver {
     m_view.count = alive;
     // What the density makes anew needs no place in the sorted set: the pressure is carried there.
     if (implicitPressure()) m_backend.forEach("gather", n, KeepPressureKernel{m_view});
-    m_backend.forEach(
-        "gather", alive,
-        GatherKernel{m_view, m_order.data(), m_otherX.data(), m_otherY.data(), m_otherZ.data(),
-                     m_otherExtra.data(), m_otherId.data(), m_otherKey.data(), m_otherExcess.data()});
+    m_backend.forEach("gather", alive,
+                      GatherKernel{m_view, m_order.data(), m_otherX.data(), m_otherY.data(), m_otherZ.data(),
+                                   m_otherExtra.data(), m_otherId.data(), m_otherKey.data(),
+                                   m_otherExcess.data(), m_otherGiven.data()});
     std::swap(m_x, m_otherX);
     std::swap(m_y, m_otherY);
     std::swap(m_z, m_otherZ);
     std::swap(m_extra, m_otherExtra);
     std::swap(m_id, m_otherId);
     std::swap(m_excess, m_otherExcess);
+    if (m_view.given) std::swap(m_given, m_otherGiven);
     point();
     if (implicitPressure())
       m_backend.forEach("gather", alive, TakeStateKernel{m_view});
@@ -551,7 +577,7 @@ class FlowSolverOn final : public FlowSolver {
   ImplicitViscosity<Backend> m_viscosity;
   double m_kick = 0.0;      ///< s, by which the latest step advanced velocities
   double m_lastStep = 0.0;  ///< 0 before the first: the leap-frog's first kick is half a step
-  Array<std::int32_t> m_x, m_y, m_z, m_otherX, m_otherY, m_otherZ;
+  Array<std::int32_t> m_x, m_y, m_z, m_otherX, m_otherY, m_otherZ, m_given, m_otherGiven;
   Array<PairRecord> m_record;
   Array<ParticleExtra> m_extra, m_otherExtra;
   Array<float> m_excess, m_otherExcess, m_rate, m_ax, m_ay, m_az, m_sx, m_sy, m_sz, m_shear, m_wallViscosity,

@@ -20,7 +20,8 @@ bool fits(const FlowConfig& config, const FlowView& view, const FlowSolverState&
                       p.y[i] < view.domainY && p.z[i] < view.domainZ;
   const bool finite =
       std::isfinite(r.vx) && std::isfinite(r.vy) && std::isfinite(r.vz) && std::isfinite(p.excess[i]);
-  return (within || (extra.flags & kDead)) && finite && extra.material < config.materials.size() &&
+  const bool share = p.given.empty() || std::abs(std::int64_t{p.given[i]}) <= unitsGiven(1.0);
+  return share && (within || (extra.flags & kDead)) && finite && extra.material < config.materials.size() &&
          p.ids[i] < state.nextId;
 }
 
@@ -32,6 +33,7 @@ Status checkState(const FlowConfig& config, const FlowSolverState& state) {
   for (const std::size_t size :
        {p.y.size(), p.z.size(), p.records.size(), p.extras.size(), p.ids.size(), p.excess.size()})
     if (size != n) return unfit("its arrays differ in length");
+  if (!p.given.empty() && p.given.size() != n) return unfit("its arrays differ in length");
   if (n > INT32_MAX - kPairPadding) return unfit("it has too many particles");
   if (!(state.lastStep >= 0.0) || !std::isfinite(state.lastStep)) return unfit("its last step is not valid");
   if (state.bodies.size() != config.bodies.size()) return unfit("it has more or fewer bodies");

@@ -96,6 +96,9 @@ struct ParticleExtra {
 inline constexpr std::uint8_t kDead = 1;      ///< left the domain, or taken out
 inline constexpr std::uint8_t kNearWall = 2;  ///< a solid is within reach
 inline constexpr std::uint8_t kSunk = 4;      ///< dead by a sink
+inline constexpr std::uint8_t kTaken = 8;     ///< dead by FlowSolver::exchange
+/// Shares of a particle's mass that it has given away are whole numbers of this: their sums are exact.
+inline constexpr double kGivenUnit = 1.0 / (1 << 30);
 
 struct FlowMaterial {
   Rheology rheology;
@@ -142,6 +145,7 @@ struct FlowView {
   float* wallViscosity = nullptr;  ///< mean of a particle and the wall that holds it, Pa s; as shearRate
   float* bodyRate = nullptr;  ///< rate of the excess by bodies in an implicit solve, 1/s; null without bodies
   ParticleExtra* extra = nullptr;
+  std::int32_t* given = nullptr;  ///< kGivenUnit; null while no particle has given anything
   std::uint32_t* id = nullptr;
   std::uint32_t* key = nullptr;
   FlowRow* rows = nullptr;

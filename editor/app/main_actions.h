@@ -71,6 +71,7 @@ class MainActions : public QObject {
   std::vector<QAction*> m_airSlices;    ///< by AirSlice
   QAction* m_holdSnow = nullptr;
   QAction* m_holdFlow = nullptr;
+  QAction* m_holdAir = nullptr;
   std::vector<QAction*> m_all;
 };
 

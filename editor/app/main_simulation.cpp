@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <QMessageBox>
 
+#include "core/nodes/air_nodes.h"
 #include "core/nodes/flow_nodes.h"
 #include "core/nodes/weather_nodes.h"
 #include "editor/app/main_actions.h"
@@ -49,6 +50,9 @@ void MainActions::addHoldActions(QMenu* menu) {
   m_holdFlow = process("simulatePauseFlow", tr("Pause &flow from here"), QKeySequence(Qt::SHIFT | Qt::Key_P),
                        "pause_flow", kAvalancheReleaseType,
                        tr("Avalanches, water and bodies stand still from the shown frame on"));
+  m_holdAir = process("simulatePauseAir", tr("Pause &mist and powder from here"),
+                      QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_P), "pause_air", kAirType,
+                      tr("Mist, powder and spray stand still from the shown frame on"));
   mayReset = [this] {
     return QMessageBox::question(
                m_window, tr("Reset the simulation"),
@@ -71,6 +75,7 @@ void MainActions::addHoldActions(QMenu* menu) {
 void MainActions::showHeld() {
   m_holdSnow->setChecked(m_window->tools().isHeld("pause_snow"));
   m_holdFlow->setChecked(m_window->tools().isHeld("pause_flow"));
+  m_holdAir->setChecked(m_window->tools().isHeld("pause_air"));
 }
 
 }  // namespace spin

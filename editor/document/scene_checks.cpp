@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 
+#include "core/nodes/air_nodes.h"
 #include "core/nodes/camera_node.h"
 #include "core/nodes/flow_nodes.h"
 #include "core/nodes/settings_nodes.h"
@@ -26,6 +27,7 @@ class Checks {
   std::vector<DocumentIssue> run() {
     checkNodes();
     checkFlow();
+    checkAir();
     checkCopies();
     if (const auto* settings = first<SimulationNode>(kSimulationType)) checkSimulation(*settings);
     if (const auto* picture = first<RenderNode>(kRenderType)) checkPicture(*picture);
@@ -77,6 +79,16 @@ class Checks {
                                      "What flows passes through models. To put %1 in its way, select it and "
                                      "press \"Make rigid body\" at the end of its properties.")
              .arg(QString::fromStdString(model->name))});
+  }
+
+  void checkAir() {
+    const SceneNode* air = m_scene.firstOf(kAirType);
+    if (!air || m_scene.firstOf(kAvalancheReleaseType) || m_scene.firstOf(kWaterSourceType)) return;
+    m_issues.push_back(
+        {Severity::Information, air->id, "",
+         QCoreApplication::translate("SceneChecks",
+                                     "Mist and powder come from what flows. Add a water source "
+                                     "or an avalanche release.")});
   }
 
   void checkCopies() {

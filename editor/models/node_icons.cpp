@@ -166,19 +166,40 @@ void warmth(QPainter& p) {
     p.drawPath(wave);
   }
 }
+/// A cloud that rises from falling water.
+void mist(QPainter& p) {
+  polygon(p, QColor(0x2f, 0x7f, 0xc4), {{1.5, 1}, {4.5, 1}, {5.5, 12}, {2.5, 12}});
+  p.setPen(Qt::NoPen);
+  p.setBrush(QColor(0x9f, 0xb6, 0xc8));
+  p.drawEllipse(QRectF(5, 8.5, 10, 6.5));
+  p.setBrush(QColor(0xc4, 0xd4, 0xe0));
+  p.drawEllipse(QRectF(8.5, 5, 6, 6));
+  p.setBrush(QColor(0xe6, 0xee, 0xf4));
+  p.drawEllipse(QRectF(3.5, 10, 7, 5));
+}
 
 Draw drawingOf(const QString& type) {
-  static const QHash<QString, Draw> kDrawings{
-      {QStringLiteral("terrain"), mountain},        {QStringLiteral("model"), house},
-      {QStringLiteral("ground_type"), fourColours}, {QStringLiteral("ground_temperature"), thermometer},
-      {QStringLiteral("snow_depth"), depthStake},   {QStringLiteral("keep_clear"), shovel},
-      {QStringLiteral("weather"), cloud},           {QStringLiteral("snowfall"), flake},
-      {QStringLiteral("flake"), crystal},           {QStringLiteral("camera"), camera},
-      {QStringLiteral("render"), picture},          {QStringLiteral("simulation"), gear},
-      {QStringLiteral("avalanche_release"), slab},  {QStringLiteral("water_source"), drop},
-      {QStringLiteral("flow_sink"), drain},         {QStringLiteral("rigid_body"), boulder},
-      {QStringLiteral("snow_cover"), layers},       {QStringLiteral("heat_source"), warmth},
-      {QStringLiteral("flow_material"), flask},     {QStringLiteral("flow_settings"), waves}};
+  static const QHash<QString, Draw> kDrawings{{QStringLiteral("terrain"), mountain},
+                                              {QStringLiteral("model"), house},
+                                              {QStringLiteral("ground_type"), fourColours},
+                                              {QStringLiteral("ground_temperature"), thermometer},
+                                              {QStringLiteral("snow_depth"), depthStake},
+                                              {QStringLiteral("keep_clear"), shovel},
+                                              {QStringLiteral("weather"), cloud},
+                                              {QStringLiteral("snowfall"), flake},
+                                              {QStringLiteral("flake"), crystal},
+                                              {QStringLiteral("camera"), camera},
+                                              {QStringLiteral("render"), picture},
+                                              {QStringLiteral("simulation"), gear},
+                                              {QStringLiteral("avalanche_release"), slab},
+                                              {QStringLiteral("water_source"), drop},
+                                              {QStringLiteral("flow_sink"), drain},
+                                              {QStringLiteral("rigid_body"), boulder},
+                                              {QStringLiteral("snow_cover"), layers},
+                                              {QStringLiteral("heat_source"), warmth},
+                                              {QStringLiteral("flow_material"), flask},
+                                              {QStringLiteral("flow_settings"), waves},
+                                              {QStringLiteral("air"), mist}};
   return kDrawings.value(type, gear);
 }
 

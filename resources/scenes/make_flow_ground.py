@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 Spindrift contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the grounds of the flow examples beside this file (chute, water_and_snow and waterfall_horsetail) and the boulder of
-avalanche_kontertal.
+"""Makes the grounds of the flow examples beside this file (chute, water_and_snow, waterfall_horsetail, waterfall_steps and
+waterfall_block) and the boulder of avalanche_kontertal.
 
 usage: make_flow_ground.py
 """
@@ -68,6 +68,25 @@ def horsetail(x, y):
     return bed if x <= lip else max(face, floor)
 
 
+def steps(x, y):
+    """80 m in four drops of 20 m; below each a pool of 1.6 m that fills and spills through a gap in its rim."""
+    height = 80.0 + 0.05 * max(20.0 - x, 0.0)
+    for k, lip in enumerate((20.0, 38.0, 57.0, 75.0)):
+        edge = lip + 0.5 * math.sin(0.5 * y + k)
+        height -= 20.0 * min(max((x - edge) / 3.5, 0.0), 1.0)
+        away = math.hypot((x - lip - 8.5) / 5.5, (y - 20.0) / 5.5)
+        height -= 1.6 * (1.0 - smooth(0.4, 1.0, away))
+    return height + 2.5 * smooth(3.0, 6.5, abs(y - 20.0 - 0.8 * math.sin(0.12 * x))) - 0.03 * max(x - 80.0, 0.0)
+
+
+def block(x, y):
+    """A plateau that ends in a wall of 55 m over a level base."""
+    lip = 30.0 + 0.6 * math.sin(0.45 * y) + 0.3 * math.sin(1.1 * y)
+    if x <= lip:
+        return 55.0 + 0.03 * (30.0 - x) + 1.5 * smooth(20.0, 23.0, abs(y - 30.0))
+    return max(55.0 - 40.0 * (x - lip), -0.01 * (x - 30.0))
+
+
 def boulder(folder, name):
     """A block of 3.2 x 2.6 x 2 m with blunt edges and dents, closed: a cube's faces cut in 4 x 4 and pulled towards a ball."""
     cuts, points, faces = 4, {}, []
@@ -103,3 +122,5 @@ boulder("avalanche_kontertal.assets", "boulder.obj")
 write("chute", 116, 41, 0.1, chute)
 write("water_and_snow", 161, 71, 0.2, two_fluids)
 write("waterfall_horsetail", 113, 81, 0.5, horsetail)
+write("waterfall_steps", 136, 51, 0.8, steps)
+write("waterfall_block", 121, 61, 1.0, block)

@@ -44,8 +44,11 @@ inline bool sameBits(const FlowSolverState& a, const FlowSolverState& b) {
   };
   const FlowHostState &p = a.particles, &q = b.particles;
   return same(p.x, q.x) && same(p.y, q.y) && same(p.z, q.z) && same(p.records, q.records) &&
-         same(p.extras, q.extras) && same(p.ids, q.ids) && same(p.excess, q.excess) && a.nextId == b.nextId &&
-         a.lastStep == b.lastStep && a.losses.left == b.losses.left && a.losses.sunk == b.losses.sunk;
+         same(p.extras, q.extras) && same(p.ids, q.ids) && same(p.excess, q.excess) &&
+         same(p.given, q.given) && a.nextId == b.nextId && a.lastStep == b.lastStep &&
+         a.losses.left == b.losses.left && a.losses.sunk == b.losses.sunk &&
+         a.losses.taken == b.losses.taken && a.losses.leftGiven == b.losses.leftGiven &&
+         a.losses.sunkGiven == b.losses.sunkGiven && a.losses.takenGiven == b.losses.takenGiven;
 }
 
 TYPED_TEST_P(FlowStateContract, GoesOnFromAStateBitForBit) {
@@ -142,6 +145,100 @@ TYPED_TEST_P(FlowStateContract, ReconfiguringKeepsParticlesAndRefusesAnotherLayo
   EXPECT_TRUE(sameBits(solver->state(), before));
 }
 
+/// What is left of the mass of particles that are there or were taken, in whole kGivenUnit.
+inline std::int64_t unitsLeft(const FlowSolver& solver) {
+  std::int64_t sum = 0;
+  for (const FlowSample& s : solver.samples()) sum += unitsGiven(1.0 - s.particle.given);
+  const FlowLosses losses = solver.losses();
+  for (std::size_t m = 0; m < kMostMaterials; ++m)
+    sum += static_cast<std::int64_t>(losses.left[m] + losses.sunk[m] + losses.taken[m]) * unitsGiven(1.0) -
+           losses.leftGiven[m] - losses.sunkGiven[m] - losses.takenGiven[m];
+  return sum;
+}
+
+TYPED_TEST_P(FlowStateContract, AnExchangeChangesWhatItNamesAndNothingElse) {
+  const FlowConfig c = this->config();
+  const Solver solver = this->start(c, this->block(c));
+  this->run(*solver, 2e-4, 3);
+  solver->sample(true);
+  this->run(*solver, 2e-4, 1);
+  const auto before = solver->samples();
+  std::vector<FlowExchange> changes;
+  for (const std::uint32_t id : {900u, 3u, 411u})
+    changes.push_back({id, before[id].particle.velocity + Vec3d{0.5, -0.25, 1.0}, 0.125, id == 411u});
+  ASSERT_TRUE(solver->exchange(changes).ok());
+  const auto after = solver->samples();
+  ASSERT_EQ(after.size(), 999u);
+  for (const FlowSample& s : after) {
+    const FlowSample& old = before[s.particle.id];
+    const bool named = s.particle.id == 900 || s.particle.id == 3;
+    const Vec3d gain = s.particle.velocity - old.particle.velocity;
+    EXPECT_LT(length(gain - (named ? Vec3d{0.5, -0.25, 1.0} : Vec3d{})), 1e-6);
+    EXPECT_EQ(s.particle.given, named ? 0.125 : 0.0);
+    EXPECT_EQ(s.particle.position, old.particle.position);
+    EXPECT_EQ(s.neighbours, old.neighbours) << "what was sampled stays";
+  }
+  EXPECT_EQ(solver->losses().taken[0], 1u);
+  EXPECT_EQ(solver->losses().takenGiven[0], unitsGiven(0.125));
+  this->run(*solver, 2e-4, 3);
+  EXPECT_EQ(solver->count(), 999u);
+  EXPECT_EQ(solver->losses().taken[0], 1u) << "counted once";
+  EXPECT_EQ(solver->samples()[3].particle.given, 0.125) << "carried along";
+}
+
+TYPED_TEST_P(FlowStateContract, WhatParticlesGaveLeavesWithThemAndIsKept) {
+  FlowConfig c = this->config();
+  c.windDrag = 50.0;
+  c.wind = {0, 0, 300};
+  FlowSinkConfig box;
+  box.low = {0, 0, 0}, box.high = {8 * c.spacing, 24 * c.spacing, 24 * c.spacing};
+  const Solver straight = this->start(c, this->block(c)), other = this->start(c, {});
+  this->run(*straight, 2e-4, 2);
+  std::vector<FlowExchange> changes;
+  std::int64_t given = 0;
+  for (const FlowSample& s : straight->samples())
+    if (s.particle.id % 3 == 0) {
+      changes.push_back(
+          {s.particle.id, s.particle.velocity, 1e-3 * (s.particle.id % 500) - 0.1, s.particle.id % 60 == 0});
+      given += unitsGiven(changes.back().given);
+    }
+  ASSERT_TRUE(straight->exchange(changes).ok());
+  EXPECT_EQ(unitsLeft(*straight), std::int64_t{1000} * unitsGiven(1.0) - given);
+  // Came back with less than a whole particle's mass.
+  FlowParticle back;
+  back.position = c.domainMin + Vec3d{12, 12, 20} * c.spacing, back.given = 0.75;
+  ASSERT_TRUE(straight->add({back}).ok());
+  ASSERT_TRUE(other->restore(straight->state()).ok());
+  c.sinks = {box};
+  for (Solver const* solver : {&straight, &other}) {
+    ASSERT_TRUE((*solver)->reconfigure(c).ok());
+    this->run(**solver, 2e-4, 5);
+  }
+  EXPECT_TRUE(sameBits(straight->state(), other->state()));
+  EXPECT_GT(straight->losses().sunkGiven[0], 0);
+  this->runFor(*straight, 0.3);
+  EXPECT_GT(straight->losses().left[0], 0u);
+  EXPECT_GT(straight->losses().leftGiven[0], 0);
+  EXPECT_EQ(unitsLeft(*straight), std::int64_t{1000} * unitsGiven(1.0) - given + unitsGiven(0.25));
+}
+
+TYPED_TEST_P(FlowStateContract, AnExchangeThatCannotBeChangesNothing) {
+  const FlowConfig c = this->config();
+  const Solver solver = this->start(c, this->block(c));
+  this->run(*solver, 2e-4, 2);
+  const FlowSolverState good = solver->state();
+  const FlowExchange fine{7, {1, 2, 3}, 0.5, false};
+  const auto refuses = [&](const FlowExchange& bad) {
+    return !solver->exchange({fine, bad}).ok() && sameBits(solver->state(), good);
+  };
+  EXPECT_TRUE(refuses({1000, {}, 0.0, false})) << "no such particle";
+  EXPECT_TRUE(refuses({7, {}, 0.0, false})) << "twice";
+  EXPECT_TRUE(refuses({8, {std::nan(""), 0, 0}, 0.0, false}));
+  EXPECT_TRUE(refuses({8, {}, 1.5, false}));
+  ASSERT_TRUE(solver->exchange({{8, {}, 1.0, true}}).ok());
+  EXPECT_FALSE(solver->exchange({{8, {}, 1.0, true}}).ok()) << "it is gone";
+}
+
 TYPED_TEST_P(FlowStateContract, AfterAnotherFormOfPressureItGoesOnAsIfItHadNeverHadIt) {
   FlowConfig c = this->config(), other = c;
   c.leapFrog = other.leapFrog = false;
@@ -222,6 +319,8 @@ REGISTER_TYPED_TEST_SUITE_P(
     FlowStateContract, GoesOnFromAStateBitForBit, AStateThatDoesNotFitIsRefusedAndChangesNothing,
     SinksAndTheDomainCountWhatTheyTake, ReconfiguringKeepsParticlesAndRefusesAnotherLayout,
     AfterAnotherFormOfPressureItGoesOnAsIfItHadNeverHadIt, NoStepIsSoLongThatWindIsOvershot,
-    ASampledStepTellsNeighboursAndTheWholeAcceleration, TurbulentGroundHoldsWithTheSquareOfTheSpeed);
+    ASampledStepTellsNeighboursAndTheWholeAcceleration, AnExchangeChangesWhatItNamesAndNothingElse,
+    WhatParticlesGaveLeavesWithThemAndIsKept, AnExchangeThatCannotBeChangesNothing,
+    TurbulentGroundHoldsWithTheSquareOfTheSpeed);
 
 }  // namespace spin::contract

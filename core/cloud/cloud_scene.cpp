@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 Spindrift contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cloud/cloud_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/fields/terrain_surface.h"
+#include "core/nodes/weather_nodes.h"
+#include "core/sim/scene_weather.h"
+#include "core/snow/wind_field.h"
+
+namespace spin {
+namespace {
+
+/// Bricks along an axis, at most.
+constexpr double kMostBricks = 1 << 20;
+/// Of the standard atmosphere near the ground, m.
+constexpr double kScaleHeight = 8434.0;
+/// Of the wind's profile over the ground, m.
+constexpr double kRoughness = 0.01;
+
+double pressureOf(const SceneSnapshot& scene) {
+  const WeatherNode weather = scene.settings<WeatherNode>(0.0);
+  return 101325.0 * std::exp(-(weather.altitudeKnown ? weather.altitude : 0.0) / kScaleHeight);
+}
+
+/// The weather's wind, slower near the ground.
+std::function<Vec3d(Vec3d)> windOver(const SceneSnapshot& scene) {
+  if (!scene.first<WeatherNode>()) return {};
+  const WeatherNode weather = scene.settings<WeatherNode>(0.0);
+  const Vec3d wind = windVector(weather.windSpeed, weather.windFromDegrees);
+  if (length(wind) == 0.0) return {};
+  const auto terrain = scene.terrain && !scene.terrain->heights.empty() ? scene.terrain : nullptr;
+  return [wind, terrain](Vec3d p) {
+    const double ground = terrain ? TerrainSurface(terrain->heights).nearestHeight(p.x, p.y) : 0.0;
+    return wind * logProfile(p.z - ground, kRoughness);
+  };
+}
+
+AirConfig configOf(const SceneSnapshot& scene, const AirNode& node, const SurroundingAir& air,
+                   const Box3d& box, double cell) {
+  AirConfig c;
+  c.cell = cell;
+  c.origin = box.min;
+  const int cells[3] = {kBrickX, kBrickY, kBrickZ};
+  for (int axis = 0; axis < 3; ++axis)
+    c.highBrick[static_cast<std::size_t>(axis)] =
+        std::max(static_cast<std::int32_t>(std::ceil(box.size()[axis] / (cell * cells[axis]) - 1e-9)), 1);
+  c.temperature = air.temperature, c.pressure = air.pressure, c.humidity = air.humidity;
+  c.wind = windOver(scene);
+  c.buoyancy = static_cast<AirBuoyancy>(node.lift);
+  c.evaporates = node.evaporates;
+  c.viscosity = node.eddyViscosity;
+  c.settling = {sphereTerminalSpeed(node.mistDiameter, kWaterDensity, air.carrier),
+                sphereTerminalSpeed(node.grainDiameter, kIceDensity, air.carrier)};
+  c.advection = static_cast<AirAdvection>(node.advection);
+  c.reflection = node.reflection;
+  c.solver = static_cast<AirPressure>(node.solver);
+  c.tolerance = node.tolerance;
+  return c;
+}
+
+}  // namespace
+
+double CloudScene::cells() const {
+  double product = static_cast<double>(kBrickCells);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    product *= static_cast<double>(air.highBrick[axis] - air.lowBrick[axis]);
+  return product;
+}
+
+bool sceneHasCloud(const SceneSnapshot& scene) {
+  return scene.first<AirNode>() && sceneHasFlow(scene);
+}
+
+Result<CloudScene> makeCloudScene(const SceneSnapshot& scene, const CancelToken& cancel, bool withSolids) {
+  CloudScene made;
+  const SceneNode* airNode = scene.first<AirNode>();
+  const AirNode node = scene.settings<AirNode>(0.0);
+  const FlowScene flow = makeFlowScene(scene, 0.0, withSolids);
+  if (const FlowIssue* issue = flow.fatal())
+    return badInput("The air cannot start", issue->node, issue->text);
+  const double cell = node.cell > 0.0 ? node.cell : 4.0 * flow.config.spacing;
+  made.box.min = flow.config.domainMin - Vec3d{node.margin, node.margin, 0.0};
+  made.box.max = flow.config.domainMax + Vec3d{node.margin, node.margin, node.headroom};
+  for (int axis = 0; axis < 3; ++axis)
+    if (made.box.size()[axis] / (4.0 * cell) > kMostBricks)
+      return badInput(
+          "The air cannot start", airNode ? airNode->id : std::string(),
+          fmt::format("its box is {:.3g} m long with cells of {:.3g} m", made.box.size()[axis], cell),
+          "Make cell_m larger or the flow's domain smaller");
+  const AirNow now = airAt(scene, 0.0);
+  made.surrounding = SurroundingAir::of(now.temperature, pressureOf(scene), now.relativeHumidity);
+  made.air = configOf(scene, node, made.surrounding, made.box, cell);
+  made.air.gravity = flow.config.gravity;
+  made.flow = flow.config;
+  made.flow.walls.meshes.clear();
+  made.flow.bodies.clear();
+  if (!withSolids) return made;
+  Result<CloudSolids> solids = CloudSolids::make(scene, flow, cell, cancel);
+  if (!solids) return solids.error();
+  made.solids = std::move(*solids);
+  made.air.solids = made.solids.airSolids();
+  return made;
+}
+
+}  // namespace spin
