@@ -90,6 +90,13 @@ class CudaBackend {
     cudaRequire(cudaGetLastError(), name);
   }
 
+  /// Times a kernel that the caller starts.
+  template <class Start>
+  void launch(const char* name, const Start& start) {
+    m_timer.measure(name, start);
+    cudaRequire(cudaGetLastError(), name);
+  }
+
   /// Chunks of a fixed size, each combined in a fixed tree, then over the chunks in order: runs repeat.
   template <class T, class Map, class Combine>
   T reduce(const char* name, std::size_t n, T initial, const Map& map, const Combine& combine) {

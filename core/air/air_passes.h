@@ -16,9 +16,11 @@
   X(AirDivergencePass)                                                                                      \
   X(ResidualPass)                                                                                           \
   X(FirstSmoothPass)                                                                                        \
-  X(SmoothPass) X(ColourPass) X(RestrictPass) X(ProlongPass) X(DirectionPass) X(ProductPass) X(AdvancePass) \
-      X(CorrectPass) X(ReflectPass) X(CopyPass) X(CopyOnePass) X(FastestPass) X(OutflowPass) X(DepositPass) \
-          X(ContentPass) X(LargestPass) X(ActivityPass) X(LoadPass) X(BuoyancyPass) X(CondensePass)         \
+  X(SmoothPass)                                                                                             \
+  X(ColourPass)                                                                                             \
+  X(RestrictPass) X(ProlongPass) X(DirectionPass) X(ProductPass) X(AdvancePass) X(CorrectPass)              \
+      X(ReflectPass) X(CopyPass) X(CopyOnePass) X(FastestPass) X(OutflowPass) X(DepositPass) X(ContentPass) \
+          X(LargestPass) X(ActivityPass) X(LoadPass) X(BuoyancyPass) X(CondensePass)                        \
               SPIN_AIR_AXES(X, CarryPass) SPIN_AIR_AXES(X, CarryBackPass) SPIN_AIR_AXES(X, CarryCubicPass)  \
                   SPIN_AIR_AXES(X, GhostPass) SPIN_AIR_AXES(X, DiffuseProductPass)                          \
                       SPIN_AIR_AXES(X, DiffuseResidualPass) SPIN_AIR_AXES(X, NormPass)                      \

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "core/air/air_exchange.h"
@@ -205,7 +204,7 @@ class AirSolverOn final : public AirSolver {
   }
 
   Error notFinite(const char* what) const {
-    return Error{ErrorKind::Failed, "The air stopped", "air", fmt::format("a {} is not finite", what),
+    return Error{ErrorKind::Failed, "The air stopped", "air", std::string("a ") + what + " is not finite",
                  "Use shorter frames or smaller cells"};
   }
 

@@ -54,7 +54,7 @@ class AirTransport {
       // What is nowhere need not be carried.
       if (!holdsAny(backend, passes, f, a)) continue;
       const double out = mostOutflow(backend, passes, f, seconds / config.cell, settling[a]);
-      const int parts = std::max(1, static_cast<int>(std::ceil(out / 0.8)));
+      const int parts = std::max(1, static_cast<int>(std::ceil(out)));
       for (int k = 0; k < parts; ++k) {
         m_forward = !m_forward;
         carry(backend, passes, f, config, a, seconds / parts, settling[a], budget);

@@ -71,9 +71,12 @@ struct SweepPass {
   }
 };
 
-/// Largest share of its volume that leaves a cell.
+/// How many times too long a step is for a cell: no sweep may take more than kMostOut of its volume out, and
+/// what the axes pull apart may not change it by more than kMostChange before the others have made up for
+/// that.
 struct OutflowPass {
   static constexpr AirResult kResult = AirResult::Most;
+  static constexpr double kMostOut = 0.85, kMostChange = 0.4;
   AirStrides strides;
   const float* u[3];
   const float* area[3];
@@ -83,18 +86,24 @@ struct OutflowPass {
   template <class At>
   SPIN_HD_INLINE typename At::Real operator()(const At& at) const {
     using Real = typename At::Real;
-    const Real out = pair(at, 0, 1, 0.0f) + pair(at, 1, strides.y, 0.0f) + pair(at, 2, strides.z, settling);
-    return Real(cells) * out / maximum(at.load(volume), lit<Real>(1e-6)) * at.load(open);
+    Real out = lit<Real>(0.0), change = out;
+    axis(at, 0, 1, 0.0f, out, change);
+    axis(at, 1, strides.y, 0.0f, out, change);
+    axis(at, 2, strides.z, settling, out, change);
+    const Real share = Real(cells) / maximum(at.load(volume), lit<Real>(1e-6)) * at.load(open);
+    return share * maximum(out * lit<Real>(1.0 / kMostOut), change * lit<Real>(1.0 / kMostChange));
   }
 
  private:
   template <class At>
-  SPIN_HD_INLINE typename At::Real pair(const At& at, int k, int step, float falls) const {
+  SPIN_HD_INLINE void axis(const At& at, int k, int step, float falls, typename At::Real& out,
+                           typename At::Real& change) const {
     using Real = typename At::Real;
     const Real zero = lit<Real>(0.0);
     const Real low = (at.load(u[k]) - Real(falls)) * maximum(at.load(area[k]), zero);
     const Real high = (at.load(u[k], step) - Real(falls)) * maximum(at.load(area[k], step), zero);
-    return maximum(high, zero) + maximum(-low, zero);
+    out = maximum(out, maximum(high, zero) + maximum(-low, zero));
+    change = change + maximum(high - low, zero);
   }
 };
 
