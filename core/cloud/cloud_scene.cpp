@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "core/fields/terrain_surface.h"
 #include "core/nodes/weather_nodes.h"
 #include "core/sim/scene_weather.h"
 #include "core/snow/wind_field.h"
@@ -34,10 +33,8 @@ std::function<Vec3d(Vec3d)> windOver(const SceneSnapshot& scene) {
   const WeatherNode weather = scene.settings<WeatherNode>(0.0);
   const Vec3d wind = windVector(weather.windSpeed, weather.windFromDegrees);
   if (length(wind) == 0.0) return {};
-  const auto terrain = scene.terrain && !scene.terrain->heights.empty() ? scene.terrain : nullptr;
-  return [wind, terrain](Vec3d p) {
-    const double ground = terrain ? TerrainSurface(terrain->heights).nearestHeight(p.x, p.y) : 0.0;
-    return wind * logProfile(p.z - ground, kRoughness);
+  return [wind, ground = CloudGround(scene)](Vec3d p) {
+    return wind * logProfile(p.z - ground.height(p.x, p.y), kRoughness);
   };
 }
 

@@ -3,9 +3,6 @@
 #include "core/cloud/cloud_solids.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "core/fields/terrain_surface.h"
 
 namespace spin {
 namespace {
@@ -23,7 +20,7 @@ double fieldDistance(const SignedDistanceView& view, Vec3d p) {
 Result<CloudSolids> CloudSolids::make(const SceneSnapshot& scene, const FlowScene& flow, double cell,
                                       const CancelToken& cancel) {
   CloudSolids made;
-  if (scene.terrain && !scene.terrain->heights.empty()) made.m_terrain = scene.terrain;
+  made.m_ground = CloudGround(scene);
   for (const FlowWallsConfig::MeshWall& wall : flow.config.walls.meshes) {
     SignedDistanceOptions options;
     options.cell = 0.5 * cell;
@@ -39,13 +36,6 @@ Result<CloudSolids> CloudSolids::make(const SceneSnapshot& scene, const FlowScen
     made.m_bodies->push_back(body.start);
   }
   return made;
-}
-
-double CloudSolids::groundDistance(Vec3d p) const {
-  if (!m_terrain) return p.z;
-  const TerrainSurface surface(m_terrain->heights);
-  // Along the normal of the facet below: exact on planes, too far beside an edge by less than its height.
-  return (p.z - surface.nearestHeight(p.x, p.y)) * surface.normalAt(p.x, p.y).z;
 }
 
 double CloudSolids::bodyDistance(std::size_t body, Vec3d p) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/air/air_solver.h"
+#include "core/cloud/cloud_ground.h"
 #include "core/fields/signed_distance.h"
 #include "core/flow/flow_scene.h"
 
@@ -15,7 +16,7 @@ namespace spin {
 /// none) and what rigid_body nodes make solid for the flow.
 class CloudSolids {
  public:
-  /// Keeps the terrain of the scene alive. Fails where a model has no field.
+  /// Fails where a model has no field.
   static Result<CloudSolids> make(const SceneSnapshot& scene, const FlowScene& flow, double cell,
                                   const CancelToken& cancel);
 
@@ -26,7 +27,8 @@ class CloudSolids {
   /// m, below 0 inside; large where nothing is near.
   double distance(Vec3d p) const;
   /// Of the ground alone.
-  double groundDistance(Vec3d p) const;
+  double groundDistance(Vec3d p) const { return m_ground.distance(p); }
+  const CloudGround& ground() const { return m_ground; }
   /// Unit, out of what is nearest.
   Vec3d normal(Vec3d p) const;
 
@@ -36,7 +38,7 @@ class CloudSolids {
  private:
   double bodyDistance(std::size_t body, Vec3d p) const;
 
-  std::shared_ptr<const TerrainData> m_terrain;
+  CloudGround m_ground;
   std::vector<std::shared_ptr<const SignedDistance>> m_meshes;
   std::vector<std::shared_ptr<const RigidShape>> m_shapes;
   std::shared_ptr<std::vector<RigidState>> m_bodies = std::make_shared<std::vector<RigidState>>();
