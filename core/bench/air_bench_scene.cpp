@@ -8,6 +8,10 @@
 #include "core/base/check.h"
 #include "core/base/parallel.h"
 #include "core/base/units.h"
+#ifdef SPIN_HAVE_CUDA
+#include "gpu/air_solver_cuda.h"
+#include "gpu/cuda_device.h"
+#endif
 
 namespace spin {
 namespace {
@@ -100,6 +104,9 @@ AirConfig stillBox(std::array<int, 3> cells, double cell) {
 }
 
 Result<std::unique_ptr<AirSolver>> startAir(const AirConfig& config, const BenchOptions& options) {
+#ifdef SPIN_HAVE_CUDA
+  if (options.device != "cpu" && cudaAvailable()) return makeAirSolverCuda(config);
+#endif
   const Result<Isa> isa = chooseIsa(options.isa);
   if (!isa) return isa.error();
   return makeAirSolverCpu(config, CpuBackend(options.threads), *isa);

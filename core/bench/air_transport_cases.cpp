@@ -148,7 +148,7 @@ Result<BenchRow> deform(const BenchOptions& options, int n, int steps) {
 
 Result<std::vector<BenchRow>> runTurn(const BenchOptions& options) {
   std::vector<BenchRow> rows;
-  for (const int steps : options.quick ? std::vector<int>{314} : std::vector<int>{157, 314, 628}) {
+  for (const int steps : options.quick ? std::vector<int>{314} : std::vector<int>{628, 1256}) {
     Result<BenchRow> row = turn(options, 100, steps);
     if (!row) return row.error();
     rows.push_back(std::move(*row));
