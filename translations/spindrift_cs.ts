@@ -2573,10 +2573,6 @@
         <translation>Mlha od</translation>
     </message>
     <message>
-        <source>Speed against the air from which the surface of water frays.</source>
-        <translation>Rychlost vůči vzduchu, od které se povrch vody třepí.</translation>
-    </message>
-    <message>
         <source>Mist rate</source>
         <translation>Rychlost tvorby mlhy</translation>
     </message>
@@ -2587,10 +2583,6 @@
     <message>
         <source>Powder from</source>
         <translation>Prach od</translation>
-    </message>
-    <message>
-        <source>Speed against the air from which the surface of snow is whirled up.</source>
-        <translation>Rychlost vůči vzduchu, od které se povrch sněhu víří.</translation>
     </message>
     <message>
         <source>Powder rate</source>
@@ -2711,6 +2703,14 @@
     <message>
         <source>While it is on, mist, powder and spray stand still and everything else goes on.</source>
         <translation>Dokud je zapnuto, mlha, prach a tříšť stojí a vše ostatní pokračuje.</translation>
+    </message>
+    <message>
+        <source>Speed against the air from which the surface of water frays and impacts throw up mist; all of it at three times that speed.</source>
+        <translation>Rychlost vůči vzduchu, od které se povrch vody třepí a nárazy vrhají mlhu; naplno při jejím trojnásobku.</translation>
+    </message>
+    <message>
+        <source>Speed against the air from which the surface of snow is whirled up and impacts throw up powder; all of it at three times that speed.</source>
+        <translation>Rychlost vůči vzduchu, od které se povrch sněhu víří a nárazy vrhají prach; naplno při jejím trojnásobku.</translation>
     </message>
 </context>
 <context>

@@ -2573,10 +2573,6 @@
         <translation>成雾速度</translation>
     </message>
     <message>
-        <source>Speed against the air from which the surface of water frays.</source>
-        <translation>水面开始破碎的相对空气速度。</translation>
-    </message>
-    <message>
         <source>Mist rate</source>
         <translation>成雾速率</translation>
     </message>
@@ -2587,10 +2583,6 @@
     <message>
         <source>Powder from</source>
         <translation>扬雪速度</translation>
-    </message>
-    <message>
-        <source>Speed against the air from which the surface of snow is whirled up.</source>
-        <translation>雪面开始扬起的相对空气速度。</translation>
     </message>
     <message>
         <source>Powder rate</source>
@@ -2711,6 +2703,14 @@
     <message>
         <source>While it is on, mist, powder and spray stand still and everything else goes on.</source>
         <translation>开启时水雾、粉雪和水花静止，其余一切继续。</translation>
+    </message>
+    <message>
+        <source>Speed against the air from which the surface of water frays and impacts throw up mist; all of it at three times that speed.</source>
+        <translation>水面开始破碎、撞击开始扬起水雾的相对空气速度；达到其三倍时全部生效。</translation>
+    </message>
+    <message>
+        <source>Speed against the air from which the surface of snow is whirled up and impacts throw up powder; all of it at three times that speed.</source>
+        <translation>雪面开始扬起、撞击开始扬起粉雪的相对空气速度；达到其三倍时全部生效。</translation>
     </message>
 </context>
 <context>

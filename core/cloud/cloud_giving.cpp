@@ -118,11 +118,11 @@ void CloudExchange::giveMist(Touched& t) {
   const double acceleration = length(sample.pairAcceleration);
   const bool hit = sample.neighbours >= 0 && acceleration > s.impactAcceleration;
   const double seconds = m_part.seconds();
-  const double byImpact = hit ? (snow ? s.impactSnow : s.impactWater) * acceleration : 0.0;
   const double least = snow ? s.powderSpeed : s.mistSpeed, speed = length(t.velocity - t.wind);
-  const double bySurface = t.kind == FlowClass::Main ? 0.0
-                                                     : (snow ? s.powderRate : s.mistRate) *
-                                                           clampedPotential(speed, least, 3.0 * least);
+  // Particles in slow water push each other about as hard as some that hit a rock: speed tells them apart.
+  const double fast = clampedPotential(speed, least, 3.0 * least);
+  const double byImpact = hit ? (snow ? s.impactSnow : s.impactWater) * acceleration * fast : 0.0;
+  const double bySurface = t.kind == FlowClass::Main ? 0.0 : (snow ? s.powderRate : s.mistRate) * fast;
   const double rate = byImpact + bySurface;
   if (!(rate > 0.0)) return;
   const std::int64_t left = unitsGiven(1.0) - t.given;

@@ -27,9 +27,10 @@ constexpr PropertyRow kAirRows[] = {
                                      "takes eight times the cells."))
         .in(Unit::Metre)
         .range(0, 100, 0.1),
-    property<&AirNode::coupling>("coupling_s", SPIN_TR("Exchange every"),
-                                 SPIN_TR("Longest film time from one exchange between flow and air to the "
-                                         "next; longer frames are cut."))
+    property<&AirNode::coupling>(
+        "coupling_s", SPIN_TR("Exchange every"),
+        SPIN_TR(
+            "Longest film time from one exchange between flow and air to the next; longer frames are cut."))
         .in(Unit::Second)
         .range(0.001, 1, 0.01),
     property<&AirNode::advection>("advection", SPIN_TR("Advection"),
@@ -38,9 +39,9 @@ constexpr PropertyRow kAirRows[] = {
         .oneOf(kSchemes),
     property<&AirNode::reflection>("reflection", SPIN_TR("Reflection"),
                                    SPIN_TR("Two projections a step keep eddies alive that one would damp.")),
-    property<&AirNode::solver>("pressure_solver", SPIN_TR("Pressure solver"),
-                               SPIN_TR("How the pressure is found: to the tolerance, or by a fixed number of "
-                                       "sweeps as published."))
+    property<&AirNode::solver>(
+        "pressure_solver", SPIN_TR("Pressure solver"),
+        SPIN_TR("How the pressure is found: to the tolerance, or by a fixed number of sweeps as published."))
         .oneOf(kSolvers),
     property<&AirNode::tolerance>("tolerance", SPIN_TR("Tolerance"),
                                   SPIN_TR("Residual of the pressure over its right side, at most."))
@@ -54,21 +55,22 @@ constexpr PropertyRow kAirRows[] = {
                                SPIN_TR("How far the air reaches beyond the sides of the flow's box."))
         .in(Unit::Metre)
         .range(0, 10000, 5),
-    property<&AirNode::headroom>("headroom_m", SPIN_TR("Headroom"),
-                                 SPIN_TR("How far the air reaches above the flow's box; what rises higher "
-                                         "leaves."))
+    property<&AirNode::headroom>(
+        "headroom_m", SPIN_TR("Headroom"),
+        SPIN_TR("How far the air reaches above the flow's box; what rises higher leaves."))
         .in(Unit::Metre)
         .range(0, 10000, 5),
     property<&AirNode::eddyViscosity>("eddy_viscosity_m2_s", SPIN_TR("Eddy viscosity"),
                                       SPIN_TR("Mixing by eddies that are smaller than a cell."))
         .in(Unit::SquareMetrePerSecond)
         .range(0, 100, 0.01),
-    property<&AirNode::evaporates>("evaporates", SPIN_TR("Mist evaporates"),
-                                   SPIN_TR("Mist and vapour seek saturation: mist thins out in dry air and "
-                                           "forms where moist air cools.")),
-    property<&AirNode::mistDiameter>("mist_diameter_m", SPIN_TR("Mist droplets"),
-                                     SPIN_TR("Diameter of the droplets of mist: they sink and scatter light "
-                                             "by it."))
+    property<&AirNode::evaporates>(
+        "evaporates", SPIN_TR("Mist evaporates"),
+        SPIN_TR(
+            "Mist and vapour seek saturation: mist thins out in dry air and forms where moist air cools.")),
+    property<&AirNode::mistDiameter>(
+        "mist_diameter_m", SPIN_TR("Mist droplets"),
+        SPIN_TR("Diameter of the droplets of mist: they sink and scatter light by it."))
         .in(Unit::Millimetre)
         .range(1e-6, 1e-3, 1e-5),
     property<&AirNode::grainDiameter>("grain_diameter_m", SPIN_TR("Powder grains"),
@@ -80,26 +82,28 @@ constexpr PropertyRow kAirRows[] = {
                                                  "its mist rises, colder it hugs the ground."))
         .in(Unit::Kelvin)
         .range(250, 373, 1),
-    property<&AirNode::waterWarms>("water_warms", SPIN_TR("Water warms air"),
-                                   SPIN_TR("The surface of water and its drops give heat and vapour to the "
-                                           "air that passes, or take them.")),
+    property<&AirNode::waterWarms>(
+        "water_warms", SPIN_TR("Water warms air"),
+        SPIN_TR(
+            "The surface of water and its drops give heat and vapour to the air that passes, or take them.")),
     property<&AirNode::impactAcceleration>(
         "impact_acceleration_m_s2", SPIN_TR("Impact from"),
         SPIN_TR("Acceleration from which a particle counts as hitting something."))
         .in(Unit::None)
         .range(10, 100000, 10),
-    property<&AirNode::impactWater>("impact_share_water", SPIN_TR("Mist by impact"),
-                                    SPIN_TR("Share of water that an impact turns to mist per metre a second "
-                                            "of speed that it takes."))
+    property<&AirNode::impactWater>(
+        "impact_share_water", SPIN_TR("Mist by impact"),
+        SPIN_TR("Share of water that an impact turns to mist per metre a second of speed that it takes."))
         .in(Unit::None)
         .range(0, 0.1, 1e-3),
-    property<&AirNode::impactSnow>("impact_share_snow", SPIN_TR("Powder by impact"),
-                                   SPIN_TR("Share of snow that an impact turns to powder per metre a second "
-                                           "of speed that it takes."))
+    property<&AirNode::impactSnow>(
+        "impact_share_snow", SPIN_TR("Powder by impact"),
+        SPIN_TR("Share of snow that an impact turns to powder per metre a second of speed that it takes."))
         .in(Unit::None)
         .range(0, 0.1, 1e-3),
     property<&AirNode::mistSpeed>("mist_speed_m_s", SPIN_TR("Mist from"),
-                                  SPIN_TR("Speed against the air from which the surface of water frays."))
+                                  SPIN_TR("Speed against the air from which the surface of water frays and "
+                                          "impacts throw up mist; all of it at three times that speed."))
         .in(Unit::MetrePerSecond)
         .range(0.1, 200, 1),
     property<&AirNode::mistRate>("mist_rate_1_s", SPIN_TR("Mist rate"),
@@ -107,9 +111,10 @@ constexpr PropertyRow kAirRows[] = {
                                          "a second, at three times that speed."))
         .in(Unit::PerSecond)
         .range(0, 10, 0.001),
-    property<&AirNode::powderSpeed>("powder_speed_m_s", SPIN_TR("Powder from"),
-                                    SPIN_TR("Speed against the air from which the surface of snow is "
-                                            "whirled up."))
+    property<&AirNode::powderSpeed>(
+        "powder_speed_m_s", SPIN_TR("Powder from"),
+        SPIN_TR("Speed against the air from which the surface of snow is whirled up and impacts throw up "
+                "powder; all of it at three times that speed."))
         .in(Unit::MetrePerSecond)
         .range(0.1, 200, 1),
     property<&AirNode::powderRate>("powder_rate_1_s", SPIN_TR("Powder rate"),
@@ -117,9 +122,9 @@ constexpr PropertyRow kAirRows[] = {
                                            "powder a second, at three times that speed."))
         .in(Unit::PerSecond)
         .range(0, 10, 0.01),
-    property<&AirNode::mostGiven>("most_given", SPIN_TR("Most given"),
-                                  SPIN_TR("Share of its mass that a particle in the flow gives to the air at "
-                                          "most."))
+    property<&AirNode::mostGiven>(
+        "most_given", SPIN_TR("Most given"),
+        SPIN_TR("Share of its mass that a particle in the flow gives to the air at most."))
         .in(Unit::Factor)
         .range(0, 0.9, 0.05),
     property<&AirNode::spray>("spray", SPIN_TR("Spray"),
@@ -133,9 +138,9 @@ constexpr PropertyRow kAirRows[] = {
                                       SPIN_TR("Diameter of the clumps of snow that fly on their own."))
         .in(Unit::Millimetre)
         .range(1e-4, 1, 1e-3),
-    property<&AirNode::sprayLife>("spray_life_s", SPIN_TR("Life of spray"),
-                                  SPIN_TR("Time in which flying drops and clumps fray into mist or powder, "
-                                          "to 37 %."))
+    property<&AirNode::sprayLife>(
+        "spray_life_s", SPIN_TR("Life of spray"),
+        SPIN_TR("Time in which flying drops and clumps fray into mist or powder, to 37 %."))
         .in(Unit::Second)
         .range(0.1, 1000, 1),
     property<&AirNode::sprayRate>("spray_rate_1_s", SPIN_TR("Spray rate"),
@@ -143,9 +148,9 @@ constexpr PropertyRow kAirRows[] = {
                                           "second where air is trapped, a crest breaks and energy is high."))
         .in(Unit::PerSecond)
         .range(0, 100, 0.05),
-    property<&AirNode::trappedLow>("trapped_air_low_m_s", SPIN_TR("Trapped air from"),
-                                   SPIN_TR("Mean speed at which neighbours come nearer from which air is "
-                                           "trapped (Ihmsen et al. 2012)."))
+    property<&AirNode::trappedLow>(
+        "trapped_air_low_m_s", SPIN_TR("Trapped air from"),
+        SPIN_TR("Mean speed at which neighbours come nearer from which air is trapped (Ihmsen et al. 2012)."))
         .in(Unit::MetrePerSecond)
         .range(0, 200, 0.5),
     property<&AirNode::trappedHigh>("trapped_air_high_m_s", SPIN_TR("Trapped air up to"),
@@ -161,18 +166,19 @@ constexpr PropertyRow kAirRows[] = {
                                   SPIN_TR("The same, beyond which no more is thrown up."))
         .in(Unit::Factor)
         .range(0.01, 2, 0.01),
-    property<&AirNode::energyLow>("energy_low_j_kg", SPIN_TR("Energy from"),
-                                  SPIN_TR("Kinetic energy per kilogram from which water is thrown up (Ihmsen "
-                                          "et al. 2012)."))
+    property<&AirNode::energyLow>(
+        "energy_low_j_kg", SPIN_TR("Energy from"),
+        SPIN_TR("Kinetic energy per kilogram from which water is thrown up (Ihmsen et al. 2012)."))
         .in(Unit::None)
         .range(0, 100000, 5),
     property<&AirNode::energyHigh>("energy_high_j_kg", SPIN_TR("Energy up to"),
                                    SPIN_TR("The same, beyond which no more is thrown up."))
         .in(Unit::None)
         .range(0.1, 100000, 5),
-    property<&AirNode::mostDrops>("most_drops", SPIN_TR("Most spray"),
-                                  SPIN_TR("Parcels of spray at most; beyond, what is alone stays in the flow "
-                                          "and nothing is thrown up."))
+    property<&AirNode::mostDrops>(
+        "most_drops", SPIN_TR("Most spray"),
+        SPIN_TR(
+            "Parcels of spray at most; beyond, what is alone stays in the flow and nothing is thrown up."))
         .range(0, 10000000, 10000),
 };
 

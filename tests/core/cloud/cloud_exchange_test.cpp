@@ -137,7 +137,7 @@ TEST(CloudExchange, WhatIsGivenDoesNotDependOnTheStep) {
 
 TEST(CloudExchange, AnImpactGivesMistBySpeedTakenAndSlowsByIt) {
   CloudTest t;
-  t.settings.spray = false, t.settings.mistRate = 0.0;
+  t.settings.spray = false, t.settings.mistRate = 0.0, t.settings.mistSpeed = 0.5;
   t.block(8, 8, 8, {0, 0, 0}, {0, 0, -6});
   for (int k = 0; k < 10; ++k) ASSERT_TRUE(t.flow->step(2e-4).ok());
   t.flow->sample(true);
