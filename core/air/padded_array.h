@@ -37,7 +37,8 @@ class PaddedArray {
   void reset(Backend& backend, std::size_t cells, AirStrides strides) {
     const auto slab = static_cast<std::size_t>(strides.z + strides.y);
     m_front = 2 * slab + 64;
-    const std::size_t size = m_front + cells + 5 * slab + 64;
+    // A coarse level's bricks beyond the last ones look for children as far as twelve slabs behind the end.
+    const std::size_t size = m_front + cells + 14 * slab + 128;
     m_values.resize(size);
     backend.forEach("bricks", size, ClearKernel{m_values.data()});
   }
