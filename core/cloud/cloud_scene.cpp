@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/nodes/weather_nodes.h"
 #include "core/sim/scene_weather.h"
@@ -27,15 +28,26 @@ double pressureOf(const SceneSnapshot& scene) {
   return 101325.0 * std::exp(-(weather.altitudeKnown ? weather.altitude : 0.0) / kScaleHeight);
 }
 
-/// The weather's wind, slower near the ground.
-std::function<Vec3d(Vec3d)> windOver(const SceneSnapshot& scene) {
-  if (!scene.first<WeatherNode>()) return {};
+/// The weather's wind as it goes over the land: solved so that no air is lost or made, since what blows into
+/// a cliff would set the whole air in motion.
+Result<std::function<Vec3d(Vec3d)>> windOver(const SceneSnapshot& scene, const CancelToken& cancel) {
+  std::function<Vec3d(Vec3d)> none;
+  if (!scene.first<WeatherNode>()) return none;
   const WeatherNode weather = scene.settings<WeatherNode>(0.0);
   const Vec3d wind = windVector(weather.windSpeed, weather.windFromDegrees);
-  if (length(wind) == 0.0) return {};
-  return [wind, ground = CloudGround(scene)](Vec3d p) {
-    return wind * logProfile(p.z - ground.height(p.x, p.y), kRoughness);
-  };
+  if (length(wind) == 0.0) return none;
+  if (!scene.terrain || scene.terrain->heights.empty())
+    return std::function<Vec3d(Vec3d)>([wind](Vec3d p) { return wind * logProfile(p.z, kRoughness); });
+  WindSettings settings;
+  settings.roughness = kRoughness;
+  settings.cancel = &cancel;
+  CpuBackend backend;
+  const Result<WindField> solved = WindField::make(scene.terrain->heights, {}, settings, backend);
+  if (!solved) return solved.error();
+  return std::function<Vec3d(Vec3d)>([field = *solved, plan = Vec2d{wind.x, wind.y}](Vec3d p) {
+    const double above = p.z - field.groundHeight(p.x, p.y);
+    return above > 0.0 ? field.at(p.x, p.y, above, plan) : Vec3d{};
+  });
 }
 
 AirConfig configOf(const SceneSnapshot& scene, const AirNode& node, const SurroundingAir& air,
@@ -48,7 +60,6 @@ AirConfig configOf(const SceneSnapshot& scene, const AirNode& node, const Surrou
     c.highBrick[static_cast<std::size_t>(axis)] =
         std::max(static_cast<std::int32_t>(std::ceil(box.size()[axis] / (cell * cells[axis]) - 1e-9)), 1);
   c.temperature = air.temperature, c.pressure = air.pressure, c.humidity = air.humidity;
-  c.wind = windOver(scene);
   c.buoyancy = static_cast<AirBuoyancy>(node.lift);
   c.evaporates = node.evaporates;
   c.viscosity = node.eddyViscosity;
@@ -101,6 +112,9 @@ Result<CloudScene> makeCloudScene(const SceneSnapshot& scene, const CancelToken&
   Result<CloudSolids> solids = CloudSolids::make(scene, flow, cell, cancel);
   if (!solids) return solids.error();
   made.solids = std::move(*solids);
+  Result<std::function<Vec3d(Vec3d)>> wind = windOver(scene, cancel);
+  if (!wind) return wind.error();
+  made.air.wind = std::move(*wind);
   made.air.solids = made.solids.airSolids();
   return made;
 }
