@@ -207,7 +207,7 @@ void CloudExchange::fly() {
         land(p);
         break;
       case SprayEnd::Rejoins:
-        if (!absorb(p)) rejoin(p, p.velocity);
+        if (!absorb(p)) flowOn(p, p.velocity, 1);
         break;
     }
   }
@@ -216,14 +216,22 @@ void CloudExchange::fly() {
 
 /// What is much of a particle flows on, the rest lies where it fell.
 void CloudExchange::land(const SprayParcel& parcel) {
-  if (m_part.flow && parcel.units >= unitsGiven(kWholeShare)) {
-    const Vec3d normal = m_part.solids.normal(parcel.position);
-    const double into = std::min(dot(parcel.velocity, normal), 0.0);
-    rejoin(parcel, parcel.velocity - normal * into);
+  const Vec3d normal = m_part.solids.normal(parcel.position);
+  const double into = std::min(dot(parcel.velocity, normal), 0.0);
+  flowOn(parcel, parcel.velocity - normal * into, unitsGiven(kWholeShare));
+}
+
+/// The air's box is wider than that of the flow: what comes down beside the flow lies there.
+void CloudExchange::flowOn(const SprayParcel& parcel, Vec3d velocity, std::int64_t least) {
+  const Vec3d p = parcel.position, &low = m_part.config.domainMin, &high = m_part.config.domainMax;
+  const bool inside =
+      p.x > low.x && p.y > low.y && p.z > low.z && p.x < high.x && p.y < high.y && p.z < high.z;
+  if (m_part.flow && inside && parcel.units >= least) {
+    rejoin(parcel, velocity);
     return;
   }
   const FlowMaterialConfig& material = materialOf(parcel.material);
-  lie(parcel.position, massOf(parcel), isSnow(material), material.restDensity);
+  lie(p, massOf(parcel), isSnow(material), material.restDensity);
 }
 
 void CloudExchange::rejoin(const SprayParcel& parcel, Vec3d velocity) {

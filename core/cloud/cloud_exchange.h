@@ -73,6 +73,7 @@ class CloudExchange {
   Status handOver();
   void fly();
   void land(const SprayParcel& parcel);
+  void flowOn(const SprayParcel& parcel, Vec3d velocity, std::int64_t least);
   void rejoin(const SprayParcel& parcel, Vec3d velocity);
   bool absorb(const SprayParcel& parcel);
   void takeDeposits();

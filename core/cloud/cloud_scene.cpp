@@ -50,8 +50,7 @@ Result<std::function<Vec3d(Vec3d)>> windOver(const SceneSnapshot& scene, const C
   });
 }
 
-AirConfig configOf(const SceneSnapshot& scene, const AirNode& node, const SurroundingAir& air,
-                   const Box3d& box, double cell) {
+AirConfig configOf(const AirNode& node, const SurroundingAir& air, const Box3d& box, double cell) {
   AirConfig c;
   c.cell = cell;
   c.origin = box.min;
@@ -103,7 +102,7 @@ Result<CloudScene> makeCloudScene(const SceneSnapshot& scene, const CancelToken&
           "Make cell_m larger or the flow's domain smaller");
   const AirNow now = airAt(scene, 0.0);
   made.surrounding = SurroundingAir::of(now.temperature, pressureOf(scene), now.relativeHumidity);
-  made.air = configOf(scene, node, made.surrounding, made.box, cell);
+  made.air = configOf(node, made.surrounding, made.box, cell);
   made.air.gravity = flow.config.gravity;
   made.flow = flow.config;
   made.flow.walls.meshes.clear();
