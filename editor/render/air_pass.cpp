@@ -213,6 +213,9 @@ void AirPass::draw(GLuint framebuffer, GLuint depth, const DrawContext& context)
   m_targets.clear();
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
+  // Water leaves factors of two sources behind, which drivers refuse for two targets even where nothing is
+  // blended.
+  glBlendFunc(GL_ONE, GL_ZERO);
   glBindVertexArray(m_vertexArray.id());
   const auto x0 = std::max(m_pixels[0], band[0]) / 2, y0 = std::max(m_pixels[1], band[1]) / 2;
   const auto x1 = (std::min(m_pixels[2], band[0] + band[2]) + 1) / 2,

@@ -288,6 +288,18 @@ TEST_F(AirDraw, LooseWaterIsSprayAndNoSurface) {
   EXPECT_LT(coloured.bright(100, 100), 90) << "the darkest colour";
 }
 
+TEST_F(AirDraw, MistHangsBeforeWater) {
+  const SnapshotPointer scene = ground().build();
+  const ParticleSet water = particleBlock({76, 92, 0}, {84, 96, 6}, 0.25, 1000.0);
+  const auto clear = flowFrame(water);
+  auto misty = std::make_shared<Frame>(*clear);
+  misty->parts["air"] = slab(0.3)->parts.at("air");
+  const Picture bare = draw(scene, clear, kView, sized(200, 120));
+  const Picture hidden = draw(scene, misty, kView, sized(200, 120));
+  EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+  EXPECT_GT(difference(bare, hidden), 5.0);
+}
+
 TEST_F(AirDraw, OddPartsAreDrawnWithoutHarm) {
   const SnapshotPointer scene = ground().build();
   const auto far = airBricks({0, 0, 0}, {16, 4, 4}, 1.0);
