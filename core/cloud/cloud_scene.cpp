@@ -22,6 +22,9 @@ constexpr double kMostBricks = 1 << 20;
 constexpr double kScaleHeight = 8434.0;
 /// Of the wind's profile over the ground, m.
 constexpr double kRoughness = 0.01;
+/// Crests speed the wind up to twice what it is over level ground at that height; at cliffs, which columns
+/// that follow the ground cannot show, the solved wind may be a hundred times as fast.
+constexpr double kMostSpeedUp = 2.0;
 
 double pressureOf(const SceneSnapshot& scene) {
   const WeatherNode weather = scene.settings<WeatherNode>(0.0);
@@ -46,7 +49,11 @@ Result<std::function<Vec3d(Vec3d)>> windOver(const SceneSnapshot& scene, const C
   if (!solved) return solved.error();
   return std::function<Vec3d(Vec3d)>([field = *solved, plan = Vec2d{wind.x, wind.y}](Vec3d p) {
     const double above = p.z - field.groundHeight(p.x, p.y);
-    return above > 0.0 ? field.at(p.x, p.y, above, plan) : Vec3d{};
+    if (!(above > 0.0)) return Vec3d{};
+    const Vec3d here = field.at(p.x, p.y, above, plan);
+    const double most = kMostSpeedUp * std::hypot(plan.x, plan.y) * logProfile(above, kRoughness),
+                 speed = length(here);
+    return speed > most ? here * (most / speed) : here;
   });
 }
 
