@@ -24,7 +24,7 @@ class AirSolverOn final : public AirSolver {
     const double vapour = config.humidity * saturatedVapourOf(config.temperature);
     m_ambient = {static_cast<float>(config.temperature), static_cast<float>(config.pressure),
                  static_cast<float>(vapour),
-                 static_cast<float>(humidAirDensity(config.temperature, vapour, config.pressure))};
+                 static_cast<float>(moistDensity(config.temperature, vapour, config.pressure))};
   }
 
   /// First bricks; fails where they are too many.

@@ -76,7 +76,7 @@ class AirTransport {
                                                              f.q[2].data(), f.q[3].data(), ambient}));
     budget.condensed[0] += condensed;
     budget.condensed[3] -= condensed;
-    budget.condensed[2] += condensed * kCondensationHeat / kAirHeat / static_cast<double>(ambient.density);
+    budget.condensed[2] += condensed * kEvaporationHeat / kDryAirHeat / static_cast<double>(ambient.density);
   }
 
  private:

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/air/velocity_passes.h"
+#include "core/physics/humid_air.h"
 
 /// Passes over the weight of the air with its load, and over water that changes its phase.
 namespace spin {
@@ -15,26 +16,19 @@ struct AirAmbient {
   float density;      ///< kg/m3
 };
 
-inline constexpr double kVapourGasConstant = 461.5;  ///< J/(kg K)
-inline constexpr double kCondensationHeat = 2.5e6;   ///< J/kg, at 0 degC
-inline constexpr double kAirGas = 287.05;            ///< J/(kg K), dry
-inline constexpr double kAirHeat = 1005.0;           ///< J/(kg K) at constant pressure
-
-/// Density of humid air, kg/m3: (p - 0.378 e) / (R_d T), with the vapour's pressure e = rho_v R_v T.
+/// Density of humid air at a density of its vapour, kg/m3; K, Pa.
 template <class Real>
-SPIN_HD_INLINE Real humidAirDensity(Real temperature, Real vapour, Real pressure) {
-  const Real e = vapour * lit<Real>(kVapourGasConstant) * temperature;
-  return (pressure - lit<Real>(0.378) * e) / (lit<Real>(kAirGas) * temperature);
+SPIN_HD_INLINE Real moistDensity(Real temperature, Real vapour, Real pressure) {
+  return humidAirDensity(pressure, vapour * lit<Real>(kVapourGasConstant) * temperature,
+                         temperature - lit<Real>(273.15));
 }
 
-/// Density of saturated vapour, kg/m3, over water (Magnus: 611.2 exp(17.62 t / (243.12 + t)) Pa), and how it
-/// grows with the temperature.
+/// Density of vapour saturated over water, kg/m3, and how it grows with the temperature.
 template <class Real>
 SPIN_HD_INLINE Real saturatedVapour(Real temperature, Real& growth) {
-  const Real t = clampBetween(temperature - lit<Real>(273.15), lit<Real>(-80.0), lit<Real>(100.0));
+  const Real t = clampBetween(temperature - lit<Real>(273.15), lit<Real>(-100.0), lit<Real>(100.0));
   const Real over = lit<Real>(1.0) / (lit<Real>(243.12) + t);
-  const Real density =
-      lit<Real>(611.2 / kVapourGasConstant) * boundedExp(lit<Real>(17.62) * t * over) / temperature;
+  const Real density = vapourDensity(saturationPressureWater(t), t);
   growth = density * (lit<Real>(17.62 * 243.12) * over * over - lit<Real>(1.0) / temperature);
   return density;
 }
@@ -58,7 +52,7 @@ struct LoadPass {
       ratio = Real(ambient.temperature) / (temperature * mulAdd(lit<Real>(0.378), share, one));
     } else {
       const Real air =
-          humidAirDensity(temperature, Real(ambient.vapour) + at.load(q[3]), Real(ambient.pressure));
+          moistDensity(temperature, Real(ambient.vapour) + at.load(q[3]), Real(ambient.pressure));
       ratio = (air + at.load(q[0]) + at.load(q[1])) / Real(ambient.density);
     }
     const Real load1 = ratio - one;
@@ -104,7 +98,7 @@ struct CondensePass {
   template <class At>
   SPIN_HD_INLINE typename At::Real operator()(const At& at) const {
     using Real = typename At::Real;
-    const Real heat = lit<Real>(kCondensationHeat / kAirHeat) / Real(ambient.density);  // K m3/kg
+    const Real heat = lit<Real>(kEvaporationHeat / kDryAirHeat) / Real(ambient.density);  // K m3/kg
     const Real m = at.load(mist), dry = Real(ambient.vapour) + at.load(vapour);
     const Real warm = Real(ambient.temperature) + at.load(warmth);
     Real gained = lit<Real>(0.0);
