@@ -21,6 +21,7 @@ Status checkAirConfig(const AirConfig& c) {
                           {"pressure", c.pressure, 1e3, 2e5},
                           {"humidity", c.humidity, 0.0, 1.0},
                           {"viscosity", c.viscosity, 0.0, 1e6},
+                          {"share of small eddies", c.smagorinsky, 0.0, 0.5},
                           {"settling speed of mist", c.settling[0], 0.0, 100.0},
                           {"settling speed of snow", c.settling[1], 0.0, 100.0},
                           {"tolerance", c.tolerance, 1e-9, 1.0},

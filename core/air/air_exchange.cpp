@@ -28,17 +28,10 @@ const BrickSolids* solidsAt(const AirWindow& window, const std::vector<BrickSoli
   return place < 0 ? nullptr : &solids[static_cast<std::size_t>(place)];
 }
 
-bool hasRoom(const AirWindow& window, const std::vector<BrickSolids>& solids, const CellKey& cell) {
+float roomOf(const AirWindow& window, const std::vector<BrickSolids>& solids, const CellKey& cell) {
   const BrickKey key = brickOf(cell);
   const BrickSolids* there = window.activePlace(key) < 0 ? nullptr : solidsAt(window, solids, key);
-  return there && there->volume[cellInBrick(cell, key)] > 0.0f;
-}
-
-/// The cell itself or the lowest open one of the two above it.
-bool openCell(const AirWindow& window, const std::vector<BrickSolids>& solids, CellKey& cell) {
-  for (int up = 0; up < 3; ++up, ++cell[2])
-    if (hasRoom(window, solids, cell)) return true;
-  return false;
+  return there ? there->volume[cellInBrick(cell, key)] : 0.0f;
 }
 
 /// Order by key, in the order of entering where keys are alike.
@@ -50,19 +43,16 @@ std::vector<std::size_t> orderOf(const std::vector<std::uint32_t>& keys) {
   return order;
 }
 
-void mergeAlike(std::vector<std::uint32_t>& keys, std::vector<float>& values) {
-  std::vector<std::uint32_t> mergedKeys;
+std::vector<float> sumsOfAlike(const std::vector<std::uint32_t>& keys, const std::vector<std::size_t>& order,
+                               const std::vector<float>& values) {
   std::vector<double> sums;
-  for (const std::size_t k : orderOf(keys)) {
-    if (mergedKeys.empty() || mergedKeys.back() != keys[k]) {
-      mergedKeys.push_back(keys[k]);
-      sums.push_back(0.0);
-    }
-    sums.back() += static_cast<double>(values[k]);
+  for (std::size_t n = 0; n < order.size(); ++n) {
+    if (n == 0 || keys[order[n]] != keys[order[n - 1]]) sums.push_back(0.0);
+    sums.back() += static_cast<double>(values[order[n]]);
   }
-  keys = std::move(mergedKeys);
-  values.assign(sums.size(), 0.0f);
-  std::transform(sums.begin(), sums.end(), values.begin(), [](double v) { return static_cast<float>(v); });
+  std::vector<float> rounded(sums.size());
+  std::transform(sums.begin(), sums.end(), rounded.begin(), [](double v) { return static_cast<float>(v); });
+  return rounded;
 }
 
 /// Sources that found a cell, by cell.
@@ -103,6 +93,12 @@ std::uint32_t activeIndex(const AirWindow& window, const CellKey& cell) {
                                     (cell[2] - key[2] * kBrickZ) * window.strides().z);
 }
 
+float takingCell(const AirWindow& window, const std::vector<BrickSolids>& solids, CellKey& cell) {
+  for (int up = 0; up < 3; ++up, ++cell[2])
+    if (const float room = roomOf(window, solids, cell); room > 0.0f) return room;
+  return 0.0f;
+}
+
 SourceLists listSources(const AirConfig& config, const AirWindow& window,
                         const std::vector<BrickSolids>& solids, const std::vector<AirSource>& sources,
                         AirBudget& budget) {
@@ -112,17 +108,19 @@ SourceLists listSources(const AirConfig& config, const AirWindow& window,
     const AirSource& source = sources[k];
     for (std::size_t a = 0; a < kAirScalars; ++a) budget.added[a] += source.amounts[a];
     CellKey cell = cellOf(config, source.position);
-    if (!openCell(window, solids, cell)) {
+    const float room = takingCell(window, solids, cell);
+    if (!(room > 0.0f)) {
       for (std::size_t a = 0; a < kAirScalars; ++a) budget.leftSides[a] += source.amounts[a];
       budget.solidImpulse += source.impulse;
       continue;
     }
-    const BrickKey key = brickOf(cell);
     placed.index.push_back(activeIndex(window, cell));
-    const BrickSolids* there = solidsAt(window, solids, key);
-    placed.volume.push_back(there ? there->volume[cellInBrick(cell, key)] : 1.0f);
+    placed.volume.push_back(room);
     placed.source.push_back(k);
-    addImpulse(config, window, solids, cell, source.impulse, lists, budget);
+    const double mass = source.amounts[static_cast<std::size_t>(AirScalar::Mist)] +
+                        source.amounts[static_cast<std::size_t>(AirScalar::Snow)] +
+                        source.amounts[static_cast<std::size_t>(AirScalar::Vapour)];
+    addImpulse(window, solids, cell, source.impulse, mass, lists, budget);
   }
   const double unit = 1.0 / (config.cell * config.cell * config.cell);
   AirAmounts sum{};
@@ -147,8 +145,8 @@ SourceLists listSources(const AirConfig& config, const AirWindow& window,
   return lists;
 }
 
-void addImpulse(const AirConfig&, const AirWindow& window, const std::vector<BrickSolids>& solids,
-                const CellKey& cell, Vec3d impulse, SourceLists& lists, AirBudget& budget) {
+void addImpulse(const AirWindow& window, const std::vector<BrickSolids>& solids, const CellKey& cell,
+                Vec3d impulse, double mass, SourceLists& lists, AirBudget& budget) {
   const double parts[3] = {impulse.x, impulse.y, impulse.z};
   Vec3d given{}, lost{};
   double* const givenParts[3] = {&given.x, &given.y, &given.z};
@@ -156,7 +154,7 @@ void addImpulse(const AirConfig&, const AirWindow& window, const std::vector<Bri
   const std::uint32_t own = activeIndex(window, cell);
   const std::int32_t steps[3] = {1, window.strides().y, window.strides().z};
   for (std::size_t a = 0; a < 3; ++a) {
-    if (parts[a] == 0.0) continue;
+    if (parts[a] == 0.0 && mass == 0.0) continue;
     CellKey above = cell;
     ++above[a];
     bool open[2] = {false, false};
@@ -172,6 +170,7 @@ void addImpulse(const AirConfig&, const AirWindow& window, const std::vector<Bri
       if (!open[side]) continue;
       lists.faces[a].push_back(own + static_cast<std::uint32_t>(side * steps[a]));
       lists.impulses[a].push_back(static_cast<float>(parts[a] / count));
+      lists.masses[a].push_back(static_cast<float>(mass / count));
     }
   }
   budget.addedImpulse += given;
@@ -179,7 +178,14 @@ void addImpulse(const AirConfig&, const AirWindow& window, const std::vector<Bri
 }
 
 void mergeFaces(SourceLists& lists) {
-  for (std::size_t a = 0; a < 3; ++a) mergeAlike(lists.faces[a], lists.impulses[a]);
+  for (std::size_t a = 0; a < 3; ++a) {
+    std::vector<std::uint32_t>& faces = lists.faces[a];
+    const std::vector<std::size_t> order = orderOf(faces);
+    lists.impulses[a] = sumsOfAlike(faces, order, lists.impulses[a]);
+    lists.masses[a] = sumsOfAlike(faces, order, lists.masses[a]);
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  }
 }
 
 DragCells binDrag(const AirConfig& config, const AirWindow& window, const std::vector<BrickSolids>& solids,
@@ -189,7 +195,7 @@ DragCells binDrag(const AirConfig& config, const AirWindow& window, const std::v
   std::vector<CellKey> keys;
   for (std::size_t k = 0; k < particles.size(); ++k) {
     CellKey cell = cellOf(config, particles[k].position);
-    if (!openCell(window, solids, cell)) continue;
+    if (!(takingCell(window, solids, cell) > 0.0f)) continue;
     index.push_back(activeIndex(window, cell));
     particle.push_back(static_cast<std::uint32_t>(k));
     keys.push_back(cell);

@@ -26,16 +26,21 @@ struct SourceLists {
   std::array<std::vector<float>, kAirScalars> amounts;  ///< per volume
   std::array<std::vector<std::uint32_t>, 3> faces;
   std::array<std::vector<float>, 3> impulses;  ///< N s
+  std::array<std::vector<float>, 3> masses;    ///< kg that came with them
 };
+
+/// The cell itself or the lowest open one of the two above it; its open share, 0 where there is none.
+float takingCell(const AirWindow& window, const std::vector<BrickSolids>& solids, CellKey& cell);
 
 /// Sums sources up by cell and face, in their order. What lies in a solid goes to the nearest open cell
 /// above; what has none, or is beyond the bricks, is booked as left.
 SourceLists listSources(const AirConfig& config, const AirWindow& window,
                         const std::vector<BrickSolids>& solids, const std::vector<AirSource>& sources,
                         AirBudget& budget);
-/// An impulse in a cell is shared by its open faces along each axis; mergeFaces() sums up what came together.
-void addImpulse(const AirConfig& config, const AirWindow& window, const std::vector<BrickSolids>& solids,
-                const CellKey& cell, Vec3d impulse, SourceLists& lists, AirBudget& budget);
+/// An impulse in a cell, and the mass that came with it, are shared by its open faces along each axis;
+/// mergeFaces() sums up what came together.
+void addImpulse(const AirWindow& window, const std::vector<BrickSolids>& solids, const CellKey& cell,
+                Vec3d impulse, double mass, SourceLists& lists, AirBudget& budget);
 void mergeFaces(SourceLists& lists);
 
 /// Particles by the cell that they are in.
@@ -71,18 +76,19 @@ struct ListedRead {
   float* to;
   SPIN_HD void operator()(std::size_t i) const { to[i] = index[i] == kNoCell ? 0.0f : values[index[i]]; }
 };
-/// Impulses at faces; `unit` = 1 over the mass of a cell of the air round the cloud.
+/// Impulses at faces, after the mass that came with them has been added; `unit` = 1 over the mass of a cell of
+/// the air round the cloud.
 struct ListedPush {
   float* u;
   const float* load;
   const std::uint32_t* index;
-  const float* impulse;
+  const float *impulse, *mass;
   int step;
   float unit;
   SPIN_HD void operator()(std::size_t i) const {
     const std::uint32_t at = index[i];
     const float density = 1.0f + 0.5f * (load[at] + load[at - static_cast<std::uint32_t>(step)]);
-    u[at] += impulse[i] * unit / density;
+    u[at] += (impulse[i] - mass[i] * u[at]) * unit / density;
   }
 };
 

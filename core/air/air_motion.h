@@ -62,6 +62,7 @@ class AirMotion {
       m_ready = true;
     }
     const bool carries = config.stages.advectVelocity;
+    if (config.stages.diffuse) mixEddies(backend, passes, f, config, seconds);
     if (config.reflection && carries && config.stages.project) {
       reflected(backend, passes, f, config, seconds, book);
       return;
@@ -159,6 +160,28 @@ class AirMotion {
                BuoyancyPass{f.strides(), f.load.data(), f.area[2].data(), f.open.data(), u[2].data(),
                             static_cast<float>(config.gravity.z * seconds),
                             config.buoyancy == AirBuoyancy::StackedCells ? 1 : 0});
+  }
+
+  void mixEddies(Backend& backend, Passes& passes, Fields& f, const AirConfig& config, double seconds) {
+    if (config.smagorinsky <= 0.0) return;
+    ghosts<0>(backend, passes, f, f.u[0]);
+    ghosts<1>(backend, passes, f, f.u[1]);
+    ghosts<2>(backend, passes, f, f.u[2]);
+    const double share = config.smagorinsky * config.smagorinsky * seconds / config.cell;
+    passes.run(backend, "eddies", f.strides(), f.near,
+               StrainPass{f.strides(), {f.u[0].data(), f.u[1].data(), f.u[2].data()}, f.hat.data(),
+                          static_cast<float>(share)});
+    mixAxis<0>(backend, passes, f);
+    mixAxis<1>(backend, passes, f);
+    mixAxis<2>(backend, passes, f);
+    std::swap(f.u, f.next);
+  }
+
+  template <int axis>
+  void mixAxis(Backend& backend, Passes& passes, Fields& f) {
+    passes.run(backend, "eddies", f.strides(), f.faces,
+               EddyMixPass<axis>{f.strides(), f.area[axis].data(), f.open.data(), f.hat.data(),
+                                 f.u[axis].data(), f.next[axis].data()});
   }
 
   void diffuse(Backend& backend, Passes& passes, Fields& f, const AirConfig& config, std::array<Field, 3>& u,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/air/eddy_passes.h"
 #include "core/air/pressure_passes.h"
 #include "core/air/scalar_passes.h"
 #include "core/air/velocity_passes.h"
@@ -17,6 +18,7 @@
   X(DirectionPass) X(ProductPass) X(AdvancePass) X(CorrectPass) X(ReflectPass)                   \
   X(CopyPass) X(CopyOnePass) X(FastestPass) X(OutflowPass) X(DepositPass)                        \
   X(ContentPass) X(LargestPass) X(ActivityPass) X(LoadPass) X(BuoyancyPass) X(CondensePass)      \
+  X(StrainPass) SPIN_AIR_AXES(X, EddyMixPass)                                                    \
   SPIN_AIR_AXES(X, CarryPass) SPIN_AIR_AXES(X, CarryBackPass) SPIN_AIR_AXES(X, CarryCubicPass)   \
   SPIN_AIR_AXES(X, GhostPass) SPIN_AIR_AXES(X, DiffuseProductPass)                               \
   SPIN_AIR_AXES(X, DiffuseResidualPass) SPIN_AIR_AXES(X, NormPass) SPIN_AIR_AXES(X, SweepPass)

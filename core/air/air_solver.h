@@ -67,6 +67,7 @@ struct AirConfig {
   AirBuoyancy buoyancy = AirBuoyancy::HumidAir;
   bool evaporates = true;            ///< mist and vapour seek saturation
   double viscosity = 0.0;            ///< m2/s, of velocities, implicit
+  double smagorinsky = 0.0;          ///< C of eddies smaller than a cell (Smagorinsky 1963); 0 = none, 0..0.5
   std::array<double, 2> settling{};  ///< m/s, of mist and of snow in calm air; >= 0
 
   AirAdvection advection = AirAdvection::MacCormack;
@@ -90,7 +91,14 @@ struct AirConfig {
 struct AirSource {
   Vec3d position{};
   AirAmounts amounts{};
-  Vec3d impulse{};  ///< N s
+  Vec3d impulse{};  ///< N s, all of it: what is brought has its own momentum
+};
+
+/// What takes in what is added at a place.
+struct AirCellNow {
+  std::uint32_t cell = 0;   ///< the same for places that share it, until bricks come or go
+  double volume = 0.0;      ///< m3 that are open; 0 where none takes anything
+  AirAmounts densities{};   ///< kg/m3, warmth in K
 };
 
 /// Something that the air drags and that drags the air.
@@ -148,8 +156,9 @@ class AirSolver {
   virtual Status drag(std::vector<AirDrag>& particles, double seconds) = 0;
   /// Air velocity at places; where no brick is, the wind.
   virtual std::vector<Vec3d> velocities(const std::vector<Vec3d>& places) const = 0;
-  /// Mist, snow and vapour in kg/m3 and warmth in K of the cells that hold the places; 0 where no brick is.
-  virtual std::vector<AirAmounts> densities(const std::vector<Vec3d>& places) const = 0;
+  /// The cells that take in what is added at the places: those that hold them or, where that is solid, the
+  /// lowest open one of the two above. Bricks come to be where needed.
+  virtual Result<std::vector<AirCellNow>> cellsAt(const std::vector<Vec3d>& places) = 0;
   /// Goes on by `seconds` (> 0), in sub-steps. Fails with what, where and stage if a value is not finite.
   virtual Result<AirStep> step(double seconds) = 0;
   /// Replaces solids that move (the same number in the same order as in the configuration).

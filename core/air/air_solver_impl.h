@@ -39,29 +39,24 @@ class AirSolverOn final : public AirSolver {
   }
 
   Status add(const std::vector<AirSource>& sources) override {
-    std::vector<BrickKey> keys = m_fields.window().keys();
+    std::vector<Vec3d> places;
     for (const AirSource& s : sources) {
-      if (!isFinite(s.position) || !isFinite(s.impulse))
-        return Error{ErrorKind::BadInput, "The air stopped", "air", "a source is not finite", "Report this"};
-      const BrickKey key = brickOf(cellOf(m_config, s.position));
-      if (inDomain(m_config, key)) keys.push_back(key);
+      if (!isFinite(s.impulse)) return foreignNumber("a source");
+      places.push_back(s.position);
     }
-    if (Status ok = useBricks(std::move(keys)); !ok) return ok;
+    if (Status ok = reach(places); !ok) return ok;
     const SourceLists lists = listSources(m_config, m_fields.window(), m_fields.solids(), sources, m_budget);
     addLists(lists);
     return {};
   }
 
   Status drag(std::vector<AirDrag>& particles, double seconds) override {
-    std::vector<BrickKey> keys = m_fields.window().keys();
+    std::vector<Vec3d> places;
     for (const AirDrag& p : particles) {
-      if (!isFinite(p.position) || !isFinite(p.velocity))
-        return Error{ErrorKind::BadInput, "The air stopped", "air", "something in it is not finite",
-                     "Report this"};
-      const BrickKey key = brickOf(cellOf(m_config, p.position));
-      if (inDomain(m_config, key)) keys.push_back(key);
+      if (!isFinite(p.velocity)) return foreignNumber("something in it");
+      places.push_back(p.position);
     }
-    if (Status ok = useBricks(std::move(keys)); !ok) return ok;
+    if (Status ok = reach(places); !ok) return ok;
     DragCells cells = binDrag(m_config, m_fields.window(), m_fields.solids(), particles);
     std::array<std::vector<float>, 3> low, high;
     const AirStrides s = m_fields.strides();
@@ -73,7 +68,7 @@ class AirSolverOn final : public AirSolver {
                                                      m_config.cell, seconds, particles);
     SourceLists lists;
     for (std::size_t c = 0; c < cells.index.size(); ++c)
-      addImpulse(m_config, m_fields.window(), m_fields.solids(), cells.cell[c], impulses[c], lists, m_budget);
+      addImpulse(m_fields.window(), m_fields.solids(), cells.cell[c], impulses[c], 0.0, lists, m_budget);
     mergeFaces(lists);
     addLists(lists);
     return {};
@@ -104,13 +99,21 @@ class AirSolverOn final : public AirSolver {
     return found;
   }
 
-  std::vector<AirAmounts> densities(const std::vector<Vec3d>& places) const override {
-    const std::vector<std::uint32_t> index = placesOf(places);
-    std::vector<AirAmounts> found(places.size());
+  Result<std::vector<AirCellNow>> cellsAt(const std::vector<Vec3d>& places) override {
+    if (Status ok = reach(places); !ok) return ok.error();
+    std::vector<AirCellNow> found(places.size());
+    std::vector<std::uint32_t> index(places.size(), kNoCell);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      CellKey cell = cellOf(m_config, places[k]);
+      const float room = takingCell(m_fields.window(), m_fields.solids(), cell);
+      if (room > 0.0f) index[k] = activeIndex(m_fields.window(), cell);
+      found[k].cell = index[k];
+      found[k].volume = static_cast<double>(room) * m_config.cell * m_config.cell * m_config.cell;
+    }
     for (std::size_t a = 0; a < kAirScalars; ++a) {
       const std::vector<float> values = gather(index, m_fields.q[a], 0);
       for (std::size_t k = 0; k < places.size(); ++k)
-        found[k][a] = index[k] == kNoCell ? 0.0 : static_cast<double>(values[k]);
+        found[k].densities[a] = index[k] == kNoCell ? 0.0 : static_cast<double>(values[k]);
     }
     return found;
   }
@@ -208,6 +211,22 @@ class AirSolverOn final : public AirSolver {
                  "Use shorter frames or smaller cells"};
   }
 
+  static Error foreignNumber(const char* what) {
+    return {ErrorKind::BadInput, "The air stopped", "air", std::string(what) + " is not finite",
+            "Report this"};
+  }
+
+  /// Bricks come to be at places.
+  Status reach(const std::vector<Vec3d>& places) {
+    std::vector<BrickKey> keys = m_fields.window().keys();
+    for (const Vec3d& p : places) {
+      if (!isFinite(p)) return foreignNumber("a place");
+      const BrickKey key = brickOf(cellOf(m_config, p));
+      if (inDomain(m_config, key)) keys.push_back(key);
+    }
+    return useBricks(std::move(keys));
+  }
+
   Status useBricks(std::vector<BrickKey> keys, bool always = false) {
     sortBricks(keys);
     if (keys == m_fields.window().keys() && m_fields.window().cells() > 0 && !always) return {};
@@ -275,10 +294,11 @@ class AirSolverOn final : public AirSolver {
       if (lists.faces[a].empty()) continue;
       m_backend.upload(lists.faces[a], m_index);
       m_backend.upload(lists.impulses[a], m_values);
+      m_backend.upload(lists.masses[a], m_masses);
       m_backend.forEach(
           "exchange", lists.faces[a].size(),
           ListedPush{m_fields.u[a].data(), m_fields.load.data(), m_index.data(), m_values.data(),
-                     a == 0   ? 1
+                     m_masses.data(), a == 0   ? 1
                      : a == 1 ? m_fields.strides().y
                               : m_fields.strides().z,
                      unit});
@@ -354,7 +374,7 @@ class AirSolverOn final : public AirSolver {
   AirBudget m_budget;
   std::vector<AirDeposit> m_deposits;  ///< of bricks that were given up
   mutable Array<std::uint32_t> m_index;
-  mutable Array<float> m_values, m_gathered;
+  mutable Array<float> m_values, m_masses, m_gathered;
 };
 
 }  // namespace spin

@@ -219,8 +219,14 @@ struct CarryCubicPass {
   }
 };
 
+/// Of a face that is open less than this the velocity may be many times that of the air beside it, so that
+/// the flux is right. It must not be carried into cells that hold many times the air: momentum would come from
+/// nowhere.
+inline constexpr double kThinFace = 0.25;
+
 /// Gives closed faces beside open ones a velocity to interpolate with: that of the open ones where the air
-/// slides, mirrored at the wall's where it sticks. Over all bricks near open ones.
+/// slides, mirrored at the wall's where it sticks. Thin faces get that of the others, too. Over all bricks
+/// near open ones.
 template <int axis>
 struct GhostPass {
   static constexpr AirResult kResult = AirResult::None;
@@ -231,21 +237,23 @@ struct GhostPass {
   template <class At>
   SPIN_HD_INLINE void operator()(const At& at) const {
     using Real = typename At::Real;
-    const Real zero = lit<Real>(0.0), own = at.load(area), kept = at.load(u);
+    const Real zero = lit<Real>(0.0), thin = lit<Real>(kThinFace);
+    const Real own = at.load(area), kept = at.load(u);
     Real weight = zero, sum = zero;
     for (const int step : {-1, 1, -strides.y, strides.y, -strides.z, strides.z}) {
-      const Real counts = positive(at.load(area, step));
+      const Real counts = selectLess(thin, at.load(area, step), lit<Real>(1.0), zero);
       weight = weight + counts;
       sum = mulAdd(counts, at.load(u, step), sum);
     }
-    Real value = sum / maximum(weight, lit<Real>(1.0));
+    const Real mean = sum / maximum(weight, lit<Real>(1.0));
+    Real value = mean;
     if (sticks) {
       const Real s = at.load(sticks);
       value = mulAdd(s, lit<Real>(2.0) * (at.load(wall) - value), value);
     }
-    // Only faces that are closed, and not the walls of the domain (negative), whose speed is known.
-    const Real closed = selectLess(zero, own, zero, selectLess(own, zero, zero, lit<Real>(1.0)));
-    at.store(selectLess(zero, closed, value, kept), u);
+    // Not the walls of the domain (negative), whose speed is known.
+    const Real beside = selectLess(thin, own, kept, selectLess(zero, weight, mean, kept));
+    at.store(selectLess(own, zero, kept, selectLess(zero, own, beside, value)), u);
   }
 };
 
@@ -284,7 +292,7 @@ struct CopyOnePass {
   }
 };
 
-/// Largest of |u|, |v|, |w|.
+/// Largest of |u|, |v|, |w|; thin faces count less.
 struct FastestPass {
   static constexpr AirResult kResult = AirResult::Most;
   const float* u[3];
@@ -293,9 +301,11 @@ struct FastestPass {
   template <class At>
   SPIN_HD_INLINE typename At::Real operator()(const At& at) const {
     using Real = typename At::Real;
-    Real most = lit<Real>(0.0);
+    const Real zero = lit<Real>(0.0);
+    Real most = zero;
     for (int k = 0; k < 3; ++k) {
-      const Real value = at.load(u[k]) * positive(at.load(area[k]));
+      const Real counts = clampBetween(at.load(area[k]) * lit<Real>(1.0 / kThinFace), zero, lit<Real>(1.0));
+      const Real value = at.load(u[k]) * counts;
       most = maximum(most, maximum(value, -value));
     }
     return most;

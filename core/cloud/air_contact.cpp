@@ -4,64 +4,50 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
+#include <numeric>
 
 #include "core/physics/humid_air.h"
 
 namespace spin {
-namespace {
 
-struct CellKey {
-  std::int32_t z, y, x;
-  friend auto operator<=>(const CellKey&, const CellKey&) = default;
-};
-
-}  // namespace
-
-ContactEffect exchangeHeat(const std::vector<WaterContact>& contacts, const AirSolver& grid, Vec3d origin,
-                           double cell, double waterTemperature, const SurroundingAir& air, double seconds) {
-  const auto index = [&](double p, double low) {
-    return static_cast<std::int32_t>(std::floor((p - low) / cell));
-  };
-  const auto centreOf = [&](const CellKey& k) {
-    return origin + Vec3d{k.x + 0.5, k.y + 0.5, k.z + 0.5} * cell;
-  };
-  std::vector<std::pair<CellKey, std::size_t>> order;
-  order.reserve(contacts.size());
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const Vec3d p = contacts[k].position;
-    order.push_back({{index(p.z, origin.z), index(p.y, origin.y), index(p.x, origin.x)}, k});
-  }
-  std::sort(order.begin(), order.end());
-  const double volume = cell * cell * cell, capacity = air.carrier.density * kDryAirHeat * volume;
+Result<ContactEffect> exchangeHeat(const std::vector<WaterContact>& contacts, AirSolver& grid,
+                                   double waterTemperature, const SurroundingAir& air, double seconds) {
+  std::vector<Vec3d> places;
+  for (const WaterContact& c : contacts) places.push_back(c.position);
+  const Result<std::vector<AirCellNow>> cells = grid.cellsAt(places);
+  if (!cells) return cells.error();
+  std::vector<std::size_t> order(contacts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return (*cells)[a].cell < (*cells)[b].cell; });
   const double warmer = waterTemperature - air.temperature, moister = air.excessOver(waterTemperature);
   ContactEffect effect;
   effect.vapour.assign(contacts.size(), 0.0);
-  std::vector<Vec3d> places;
-  for (std::size_t k = 0; k < order.size(); ++k)
-    if (k == 0 || order[k].first != order[k - 1].first) places.push_back(centreOf(order[k].first));
-  const std::vector<AirAmounts> now = grid.densities(places);
-  std::size_t number = 0;
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-    const AirAmounts& here = now[number++];
-    double conductance = 0.0;
-    for (end = begin; end < order.size() && order[end].first == order[begin].first; ++end)
-      conductance += contacts[order[end].second].conductance;
-    if (!(conductance > 0.0)) continue;
-    const double warmth = here[static_cast<std::size_t>(AirScalar::Warmth)];
-    const double vapour = here[static_cast<std::size_t>(AirScalar::Vapour)];
+    const AirCellNow& here = (*cells)[order[begin]];
+    double conductance = 0.0, mixes = 0.0;
+    for (end = begin; end < order.size() && (*cells)[order[end]].cell == here.cell; ++end) {
+      conductance += contacts[order[end]].conductance;
+      mixes += contacts[order[end]].mixes;
+    }
+    if (!(here.volume > 0.0)) continue;
+    const double capacity = air.carrier.density * kDryAirHeat * here.volume;
+    const double warmth = here.densities[static_cast<std::size_t>(AirScalar::Warmth)];
+    const double mixed = warmth + (warmer - warmth) * mixes / (capacity + mixes);
     const double share = -std::expm1(-conductance * seconds / capacity);
     AirSource source;
-    source.position = centreOf(order[begin].first);
-    source.amounts[static_cast<std::size_t>(AirScalar::Warmth)] = share * (warmer - warmth) * volume;
-    const double wanted = share * (moister - vapour) * volume / conductance;
+    source.position = contacts[order[begin]].position;
+    source.amounts[static_cast<std::size_t>(AirScalar::Warmth)] =
+        (mixed + share * (warmer - mixed) - warmth) * here.volume;
+    const double vapour = here.densities[static_cast<std::size_t>(AirScalar::Vapour)];
     double kilograms = 0.0;
-    for (std::size_t m = begin; m < end; ++m) {
-      const WaterContact& c = contacts[order[m].second];
-      const double own = std::clamp(wanted * c.conductance, -c.room, c.most);
-      effect.vapour[order[m].second] = std::trunc(own / c.quantum) * c.quantum;
-      kilograms += effect.vapour[order[m].second];
-      source.impulse += c.velocity * effect.vapour[order[m].second];
+    for (std::size_t m = begin; m < end && conductance > 0.0; ++m) {
+      const WaterContact& c = contacts[order[m]];
+      const double wanted = share * (moister - vapour) * here.volume * c.conductance / conductance;
+      const double own = std::clamp(wanted, -c.room, c.most);
+      effect.vapour[order[m]] = std::trunc(own / c.quantum) * c.quantum;
+      kilograms += effect.vapour[order[m]];
+      source.impulse += c.velocity * effect.vapour[order[m]];
     }
     source.amounts[static_cast<std::size_t>(AirScalar::Vapour)] = kilograms;
     effect.sources.push_back(source);

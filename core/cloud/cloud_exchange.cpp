@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/cloud/air_contact.h"
 #include "core/cloud/spray.h"
 #include "core/physics/humid_air.h"
 #include "core/physics/spray_birth.h"
@@ -48,8 +47,8 @@ Result<AirStep> CloudExchange::run() {
     giveMist();
   }
   if (Status dragged = drag(); !dragged) return dragged.error();
-  if (m_part.settings.waterWarms) warm();
   fray();
+  if (Status warmed = warm(); !warmed) return warmed.error();
   fly();
   if (Status handed = handOver(); !handed) return handed.error();
   const Result<AirStep> done = m_part.air.step(m_part.seconds());
@@ -79,7 +78,7 @@ double CloudExchange::dragRate(const Touched& t) const {
   const FlowParticle& p = sampleOf(t).particle;
   const double speed = length(t.velocity - t.wind), density = materialOf(p.material).restDensity;
   const CarrierAir& air = m_part.surrounding.carrier;
-  if (t.free) return sphereDragRate(dropOf(p.material, speed), density, speed, air);
+  if (t.free) return sphereDragRate(lumpOf(p.material), density, speed, air);
   return kExposedHalf * sphereDragRate(m_part.config.spacing, density, speed, air);
 }
 
@@ -101,8 +100,9 @@ Status CloudExchange::drag() {
     SprayParcel& p = m_state.parcels[k];
     const double density = materialOf(p.material).restDensity;
     const double lift = 1.0 - m_part.surrounding.carrier.density / density;
-    const double rate =
-        sphereDragRate(p.diameter, density, length(p.velocity - winds[k]), m_part.surrounding.carrier);
+    const double speed = length(p.velocity - winds[k]);
+    tear(p, speed);
+    const double rate = sphereDragRate(p.diameter, density, speed, m_part.surrounding.carrier);
     p.velocity += m_part.config.gravity * (lift * seconds);
     all.push_back({p.position, p.velocity, massOf(p), rate});
   }
@@ -123,60 +123,91 @@ Status CloudExchange::drag() {
   return {};
 }
 
-/// Water and its drops against the air that they are in.
-void CloudExchange::warm() {
-  const CarrierAir& air = m_part.surrounding.carrier;
-  std::vector<WaterContact> contacts;
+/// The air tears lumps of water to the drops that it leaves whole.
+void CloudExchange::tear(SprayParcel& parcel, double speed) const {
+  const FlowMaterialConfig& material = materialOf(parcel.material);
+  const double whole = dropOf(parcel.material, speed);
+  if (isSnow(material) || !(parcel.diameter > whole)) return;
+  const double takes =
+      breakUpTime(parcel.diameter, speed, material.restDensity, m_part.surrounding.carrier.density);
+  parcel.diameter = whole + (parcel.diameter - whole) * std::exp(-m_part.seconds() / takes);
+}
+
+/// Water and its drops against the air that they are in, and what of them has gone into it.
+Status CloudExchange::warm() {
+  std::vector<WaterContact> contacts = std::move(m_mixing);
+  const std::size_t mixing = contacts.size();
   std::vector<Touched*> touched;
   std::vector<SprayParcel*> parcels;
-  const double area = m_part.config.spacing * m_part.config.spacing;
-  for (Touched& t : m_touched) {
-    const FlowParticle& p = sampleOf(t).particle;
-    if (t.taken || t.kind == FlowClass::Main || isSnow(materialOf(p.material))) continue;
-    const double speed = length(t.velocity - t.wind);
-    const double room = kilograms(t.given + unitsGiven(0.5), p.material);
-    const double most = kilograms(unitsGiven(m_part.settings.mostGiven) - t.given, p.material);
-    contacts.push_back({p.position, t.velocity, air.density * kDryAirHeat * kStanton * speed * area,
-                        kilograms(1, p.material), std::max(most, 0.0), std::max(room, 0.0)});
-    touched.push_back(&t);
+  if (m_part.settings.waterWarms) {
+    contactsOfFlow(contacts, touched);
+    contactsOfSpray(contacts, parcels);
   }
-  for (SprayParcel& p : m_state.parcels) {
-    const FlowMaterialConfig& material = materialOf(p.material);
-    if (isSnow(material)) continue;
-    const double falls = sphereTerminalSpeed(p.diameter, material.restDensity, air);
-    const double rate =
-        dropHeatRate(p.diameter, material.restDensity, falls, air, m_part.surrounding.conductivity);
-    contacts.push_back(
-        {p.position, p.velocity, rate * massOf(p), kilograms(1, p.material), 0.5 * massOf(p), massOf(p)});
-    parcels.push_back(&p);
-  }
-  if (contacts.empty()) return;
-  const ContactEffect effect =
-      exchangeHeat(contacts, m_part.air, m_part.airOrigin, m_part.cell, m_part.settings.waterTemperature,
-                   m_part.surrounding, m_part.seconds());
-  m_sources.insert(m_sources.end(), effect.sources.begin(), effect.sources.end());
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const double vapour = effect.vapour[k];
+  if (contacts.empty()) return {};
+  const Result<ContactEffect> effect = exchangeHeat(contacts, m_part.air, m_part.settings.waterTemperature,
+                                                    m_part.surrounding, m_part.seconds());
+  if (!effect) return effect.error();
+  m_sources.insert(m_sources.end(), effect->sources.begin(), effect->sources.end());
+  for (std::size_t k = mixing; k < contacts.size(); ++k) {
+    const double vapour = effect->vapour[k];
     const auto units = static_cast<std::int64_t>(std::llround(vapour / contacts[k].quantum));
     const Vec3d impulse = contacts[k].velocity * vapour;
     m_state.account.toAir += vapour;
     m_state.account.impulseToAir += impulse;
-    if (k < touched.size()) {
-      touched[k]->given += units;
+    if (k - mixing < touched.size()) {
+      touched[k - mixing]->given += units;
       m_state.account.fromFlow += vapour;
       m_state.account.impulseFromFlow += impulse;
     } else {
-      parcels[k - touched.size()]->units -= units;
+      parcels[k - mixing - touched.size()]->units -= units;
       m_state.account.impulseToSpray += -impulse;
     }
   }
+  return {};
 }
 
-/// Drops fray into mist, clumps into powder.
+void CloudExchange::contactsOfFlow(std::vector<WaterContact>& contacts, std::vector<Touched*>& touched) {
+  const double area = m_part.config.spacing * m_part.config.spacing;
+  const double perArea = m_part.surrounding.carrier.density * kDryAirHeat * kStanton;
+  for (Touched& t : m_touched) {
+    const FlowParticle& p = sampleOf(t).particle;
+    if (t.taken || t.kind == FlowClass::Main || isSnow(materialOf(p.material))) continue;
+    WaterContact c;
+    c.position = p.position, c.velocity = t.velocity;
+    c.conductance = perArea * length(t.velocity - t.wind) * area;
+    c.quantum = kilograms(1, p.material);
+    c.room = std::max(kilograms(t.given + unitsGiven(0.5), p.material), 0.0);
+    c.most = std::max(kilograms(unitsGiven(m_part.settings.mostGiven) - t.given, p.material), 0.0);
+    contacts.push_back(c);
+    touched.push_back(&t);
+  }
+}
+
+void CloudExchange::contactsOfSpray(std::vector<WaterContact>& contacts, std::vector<SprayParcel*>& parcels) {
+  const CarrierAir& air = m_part.surrounding.carrier;
+  for (SprayParcel& p : m_state.parcels) {
+    const FlowMaterialConfig& material = materialOf(p.material);
+    if (isSnow(material)) continue;
+    const double falls = sphereTerminalSpeed(p.diameter, material.restDensity, air);
+    WaterContact c;
+    c.position = p.position, c.velocity = p.velocity;
+    c.conductance = massOf(p) * dropHeatRate(p.diameter, material.restDensity, falls, air,
+                                             m_part.surrounding.conductivity);
+    c.quantum = kilograms(1, p.material);
+    c.room = massOf(p), c.most = 0.5 * massOf(p);
+    contacts.push_back(c);
+    parcels.push_back(&p);
+  }
+}
+
+/// Drops fray into mist, clumps into powder: by their surface, so that large ones take longer.
 void CloudExchange::fray() {
-  const double share = shareOfRate(1.0 / m_part.settings.sprayLife, m_part.seconds());
+  const AirNode& s = m_part.settings;
   const std::int64_t least = unitsGiven(kLeastShare);
   for (SprayParcel& p : m_state.parcels) {
+    const bool snow = isSnow(materialOf(p.material));
+    const double life = (snow ? s.clumpLife : s.sprayLife) * p.diameter / dropOf(p.material, 0.0);
+    const double share = shareOfRate(1.0 / life, m_part.seconds());
     auto units = static_cast<std::int64_t>(std::llround(share * static_cast<double>(p.units)));
     if (p.units - units < least) units = p.units;
     if (units <= 0) continue;

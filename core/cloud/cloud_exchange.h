@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/air/air_solver.h"
+#include "core/cloud/air_contact.h"
 #include "core/cloud/cloud_solids.h"
 #include "core/cloud/cloud_state.h"
 #include "core/cloud/flow_cells.h"
@@ -68,7 +69,10 @@ class CloudExchange {
   double birthRate(const Touched& t, const std::vector<Vec3d>& normals) const;
   Status drag();
   double dragRate(const Touched& t) const;
-  void warm();
+  void tear(SprayParcel& parcel, double speed) const;
+  Status warm();
+  void contactsOfFlow(std::vector<WaterContact>& contacts, std::vector<Touched*>& touched);
+  void contactsOfSpray(std::vector<WaterContact>& contacts, std::vector<SprayParcel*>& parcels);
   void fray();
   Status handOver();
   void fly();
@@ -87,9 +91,12 @@ class CloudExchange {
   }
   double leftOf(const Touched& t) const;
   double massOf(const SprayParcel& p) const { return kilograms(p.units, p.material); }
+  /// Drops that the air leaves whole at a speed, m.
   double dropOf(std::size_t material, double speed) const;
+  /// What leaves the flow as one, m.
+  double lumpOf(std::size_t material) const;
   bool mayMake(std::size_t parcels);
-  void makeParcel(Vec3d position, Vec3d velocity, std::int64_t units, std::size_t material, double speed);
+  void makeParcel(Vec3d position, Vec3d velocity, std::int64_t units, std::size_t material, double diameter);
   void addSource(Vec3d position, std::int64_t units, std::size_t material, Vec3d impulse);
 
   const CloudPart& m_part;
@@ -99,6 +106,7 @@ class CloudExchange {
   std::vector<Touched> m_touched;
   std::vector<std::size_t> m_touchedOf;  ///< by sample; SIZE_MAX where it is not touched
   std::vector<AirSource> m_sources;
+  std::vector<WaterContact> m_mixing;  ///< water that goes into the air with its heat
 };
 
 }  // namespace spin

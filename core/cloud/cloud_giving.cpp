@@ -38,8 +38,15 @@ double CloudExchange::leftOf(const Touched& t) const {
 double CloudExchange::dropOf(std::size_t material, double speed) const {
   const AirNode& s = m_part.settings;
   if (isSnow(materialOf(material))) return s.clumpDiameter;
-  return std::clamp(largestDrop(speed, m_part.surrounding.carrier.density), 4.0 * s.mistDiameter,
-                    std::max(s.dropDiameter, 4.0 * s.mistDiameter));
+  const double least = 4.0 * s.mistDiameter;
+  return std::clamp(largestDrop(speed, m_part.surrounding.carrier.density), least,
+                    std::max(s.dropDiameter, least));
+}
+
+double CloudExchange::lumpOf(std::size_t material) const {
+  const AirNode& s = m_part.settings;
+  if (isSnow(materialOf(material))) return s.clumpDiameter;
+  return std::max(std::min(s.lumpDiameter, m_part.config.spacing), dropOf(material, 0.0));
 }
 
 bool CloudExchange::mayMake(std::size_t parcels) {
@@ -49,10 +56,10 @@ bool CloudExchange::mayMake(std::size_t parcels) {
 }
 
 void CloudExchange::makeParcel(Vec3d position, Vec3d velocity, std::int64_t units, std::size_t material,
-                               double speed) {
+                               double diameter) {
   SprayParcel parcel;
   parcel.position = position, parcel.velocity = velocity;
-  parcel.diameter = dropOf(material, speed);
+  parcel.diameter = diameter;
   parcel.born = m_part.from;
   parcel.id = m_state.nextParcel++;
   parcel.material = static_cast<std::uint32_t>(material);
@@ -65,16 +72,16 @@ void CloudExchange::makeParcel(Vec3d position, Vec3d velocity, std::int64_t unit
 void CloudExchange::addSource(Vec3d position, std::int64_t units, std::size_t material, Vec3d impulse) {
   const bool snow = isSnow(materialOf(material));
   const double mass = kilograms(units, material);
-  const SurroundingAir& air = m_part.surrounding;
   AirSource source;
   source.position = position, source.impulse = impulse;
   source.amounts[static_cast<std::size_t>(snow ? AirScalar::Snow : AirScalar::Mist)] = mass;
-  // Snow has the temperature of the air that it lies in.
-  if (!snow)
-    source.amounts[static_cast<std::size_t>(AirScalar::Warmth)] =
-        mass * kWaterHeat * (m_part.settings.waterTemperature - air.temperature) /
-        (air.carrier.density * kDryAirHeat);
   m_sources.push_back(source);
+  // Snow has the temperature of the air that it lies in.
+  if (!snow) {
+    WaterContact water;
+    water.position = position, water.mixes = mass * kWaterHeat;
+    m_mixing.push_back(water);
+  }
   m_state.account.toAir += mass;
   m_state.account.impulseToAir += impulse;
 }
@@ -121,7 +128,9 @@ void CloudExchange::giveMist(Touched& t) {
   const double least = snow ? s.powderSpeed : s.mistSpeed, speed = length(t.velocity - t.wind);
   // Particles in slow water push each other about as hard as some that hit a rock: speed tells them apart.
   const double fast = clampedPotential(speed, least, 3.0 * least);
-  const double byImpact = hit ? (snow ? s.impactSnow : s.impactWater) * acceleration * fast : 0.0;
+  // What it has just felt stands for the part, but it cannot lose more speed than it has.
+  const double taken = std::min(acceleration, speed / seconds);
+  const double byImpact = hit ? (snow ? s.impactSnow : s.impactWater) * taken * fast : 0.0;
   const double bySurface = t.kind == FlowClass::Main ? 0.0 : (snow ? s.powderRate : s.mistRate) * fast;
   const double rate = byImpact + bySurface;
   if (!(rate > 0.0)) return;
@@ -152,7 +161,7 @@ void CloudExchange::leaveFlow() {
     const Vec3d momentum = t.velocity * leftOf(t);
     m_state.account.impulseFromFlow += momentum;
     makeParcel(s.particle.position, t.velocity, unitsGiven(1.0) - t.given, s.particle.material,
-               length(t.velocity - t.wind));
+               lumpOf(s.particle.material));
   }
 }
 
@@ -230,7 +239,7 @@ void CloudExchange::throwUp(Touched& t, double rate) {
     t.velocity = after;
     t.given += quantum;
     m_state.account.impulseFromFlow += impulse;
-    makeParcel(position, impulse / gift, quantum, p.material, length(thrown - t.wind));
+    makeParcel(position, impulse / gift, quantum, p.material, dropOf(p.material, length(thrown - t.wind)));
   }
 }
 

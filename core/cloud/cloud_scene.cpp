@@ -69,6 +69,7 @@ AirConfig configOf(const AirNode& node, const SurroundingAir& air, const Box3d& 
   c.buoyancy = static_cast<AirBuoyancy>(node.lift);
   c.evaporates = node.evaporates;
   c.viscosity = node.eddyViscosity;
+  c.smagorinsky = node.smallEddies;
   c.settling = {sphereTerminalSpeed(node.mistDiameter, kWaterDensity, air.carrier),
                 sphereTerminalSpeed(node.grainDiameter, kIceDensity, air.carrier)};
   c.advection = static_cast<AirAdvection>(node.advection);

@@ -21,8 +21,9 @@ SprayEnd flyOn(SprayParcel& parcel, double seconds, double film, const SprayWorl
   double gone = 0.0;
   for (;;) {
     const Vec3d p = all > 0.0 ? from + way * (gone / all) : from;
-    if (!within(world.box, p)) return SprayEnd::Left;
     const double free = world.solids.distance(p);
+    // Where the box ends at the ground what falls through it has landed.
+    if (!within(world.box, p)) return free <= 0.0 && p.z < world.box.min.z ? SprayEnd::Landed : SprayEnd::Left;
     if (free <= 0.0) return SprayEnd::Landed;
     parcel.position = p;
     if (mayRejoin && world.flow->count(p) >= world.dense) return SprayEnd::Rejoins;

@@ -60,8 +60,14 @@ constexpr PropertyRow kAirRows[] = {
         SPIN_TR("How far the air reaches above the flow's box; what rises higher leaves."))
         .in(Unit::Metre)
         .range(0, 10000, 5),
+    property<&AirNode::smallEddies>(
+        "small_eddies", SPIN_TR("Small eddies"),
+        SPIN_TR("Mixing by eddies that are smaller than a cell, by how fast the air shears: Smagorinsky's "
+                "constant, 0.1 to 0.2; 0 leaves it out."))
+        .in(Unit::None)
+        .range(0, 0.5, 0.01),
     property<&AirNode::eddyViscosity>("eddy_viscosity_m2_s", SPIN_TR("Eddy viscosity"),
-                                      SPIN_TR("Mixing by eddies that are smaller than a cell."))
+                                      SPIN_TR("The same mixing everywhere, whatever the air does."))
         .in(Unit::SquareMetrePerSecond)
         .range(0, 100, 0.01),
     property<&AirNode::evaporates>(
@@ -95,7 +101,7 @@ constexpr PropertyRow kAirRows[] = {
         "impact_share_water", SPIN_TR("Mist by impact"),
         SPIN_TR("Share of water that an impact turns to mist per metre a second of speed that it takes."))
         .in(Unit::None)
-        .range(0, 0.1, 1e-3),
+        .range(0, 0.1, 1e-6),
     property<&AirNode::impactSnow>(
         "impact_share_snow", SPIN_TR("Powder by impact"),
         SPIN_TR("Share of snow that an impact turns to powder per metre a second of speed that it takes."))
@@ -110,7 +116,7 @@ constexpr PropertyRow kAirRows[] = {
                                  SPIN_TR("Share of the particles at the surface of water that turns to mist "
                                          "a second, at three times that speed."))
         .in(Unit::PerSecond)
-        .range(0, 10, 0.001),
+        .range(0, 10, 1e-6),
     property<&AirNode::powderSpeed>(
         "powder_speed_m_s", SPIN_TR("Powder from"),
         SPIN_TR("Speed against the air from which the surface of snow is whirled up and impacts throw up "
@@ -129,6 +135,11 @@ constexpr PropertyRow kAirRows[] = {
         .range(0, 0.9, 0.05),
     property<&AirNode::spray>("spray", SPIN_TR("Spray"),
                               SPIN_TR("Particles that are alone leave the flow and fly on as drops.")),
+    property<&AirNode::lumpDiameter>("lump_diameter_m", SPIN_TR("Lumps"),
+                                     SPIN_TR("Diameter of the lumps of water that leave the flow, if that "
+                                             "is less than its spacing; the air tears them to drops."))
+        .in(Unit::Metre)
+        .range(1e-3, 2, 0.05),
     property<&AirNode::dropDiameter>("drop_diameter_m", SPIN_TR("Drops"),
                                      SPIN_TR("Diameter of the largest drops of spray; the air tears them to "
                                              "smaller ones where they are fast."))
@@ -140,7 +151,11 @@ constexpr PropertyRow kAirRows[] = {
         .range(1e-4, 1, 1e-3),
     property<&AirNode::sprayLife>(
         "spray_life_s", SPIN_TR("Life of spray"),
-        SPIN_TR("Time in which flying drops and clumps fray into mist or powder, to 37 %."))
+        SPIN_TR("Time in which flying drops fray into mist, to 37 %; larger ones take longer."))
+        .in(Unit::Second)
+        .range(0.1, 100000, 10),
+    property<&AirNode::clumpLife>("clump_life_s", SPIN_TR("Life of clumps"),
+                                  SPIN_TR("Time in which flying clumps of snow fray into powder, to 37 %."))
         .in(Unit::Second)
         .range(0.1, 1000, 1),
     property<&AirNode::sprayRate>("spray_rate_1_s", SPIN_TR("Spray rate"),

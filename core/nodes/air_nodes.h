@@ -23,7 +23,8 @@ struct AirNode : NodeData {
   AirLift lift = AirLift::HumidAir;
   double margin = 20.0;         ///< m, of the air's box round that of the flow
   double headroom = 20.0;       ///< m, of it above that of the flow
-  double eddyViscosity = 0.05;  ///< m2/s
+  double smallEddies = 0.17;    ///< C of eddies smaller than a cell (Smagorinsky 1963; Lilly 1967)
+  double eddyViscosity = 0.0;   ///< m2/s, everywhere
   bool evaporates = true;
 
   double mistDiameter = 30e-6;       ///< m, of the droplets of mist
@@ -32,18 +33,20 @@ struct AirNode : NodeData {
   bool waterWarms = true;            ///< water's surface and drops warm (or cool) and moisten the air
 
   double impactAcceleration = 100.0;  ///< m/s2
-  double impactWater = 1e-3;          ///< share of a particle that turns to mist per m/s that an impact takes
+  double impactWater = 3e-6;          ///< share of a particle that turns to mist per m/s that an impact takes
   double impactSnow = 4e-3;           ///< the same of snow
   double mistSpeed = 6.0;             ///< m/s
-  double mistRate = 0.003;            ///< 1/s, share of the surface of water at three times that speed
+  double mistRate = 1e-5;            ///< 1/s, share of the surface of water at three times that speed
   double powderSpeed = 8.0;           ///< m/s
   double powderRate = 0.05;           ///< 1/s, share of the surface of snow at three times that speed
   double mostGiven = 0.5;             ///< share that a particle in the flow gives at most
 
   bool spray = true;
-  double dropDiameter = 2e-3;    ///< m, of spray; water's is less where the air tears it
+  double lumpDiameter = 0.1;     ///< m, of water that leaves the flow; the air tears it to drops
+  double dropDiameter = 2e-3;    ///< m, of drops; less where the air tears them
   double clumpDiameter = 20e-3;  ///< m, of snow
-  double sprayLife = 10.0;       ///< s in which drops fray into mist (to 1/e)
+  double sprayLife = 3000.0;     ///< s in which drops fray into mist (to 1/e); lumps by their surface
+  double clumpLife = 10.0;       ///< s in which clumps of snow fray into powder (to 1/e)
   double sprayRate = 0.2;        ///< 1/s, share of a particle that is thrown up where all potentials are 1
   double trappedLow = 3.0;       ///< m/s, mean speed at which neighbours come nearer
   double trappedHigh = 15.0;     ///< m/s

@@ -88,7 +88,7 @@ class Runner {
 };
 
 /// Version of the solver's results; part of every key. Raise it when results change.
-inline constexpr const char* kSolverVersion = "9";
+inline constexpr const char* kSolverVersion = "10";
 /// "cpu-avx512" and so on for the instruction set in use; what this processor cannot run counts as auto.
 std::string backendName(const std::string& isa);
 

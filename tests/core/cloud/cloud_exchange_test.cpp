@@ -138,6 +138,7 @@ TEST(CloudExchange, WhatIsGivenDoesNotDependOnTheStep) {
 TEST(CloudExchange, AnImpactGivesMistBySpeedTakenAndSlowsByIt) {
   CloudTest t;
   t.settings.spray = false, t.settings.mistRate = 0.0, t.settings.mistSpeed = 0.5;
+  t.settings.impactWater = 1e-3;
   t.block(8, 8, 8, {0, 0, 0}, {0, 0, -6});
   for (int k = 0; k < 10; ++k) ASSERT_TRUE(t.flow->step(2e-4).ok());
   t.flow->sample(true);
@@ -153,7 +154,8 @@ TEST(CloudExchange, AnImpactGivesMistBySpeedTakenAndSlowsByIt) {
       continue;
     }
     ++hit;
-    const double share = -std::expm1(-t.settings.impactWater * acceleration * 2e-4);
+    const double taken = std::min(acceleration * 2e-4, length(before[i].particle.velocity));
+    const double share = -std::expm1(-t.settings.impactWater * taken);
     EXPECT_NEAR(after[i].particle.given / share, 1.0, 1e-4);
   }
   EXPECT_GT(hit, 60) << "the lowest layers";
@@ -193,22 +195,57 @@ TEST(CloudExchange, FastSnowGivesPowderNotMist) {
   EXPECT_EQ(air.added[static_cast<std::size_t>(AirScalar::Warmth)], 0.0);
 }
 
-TEST(CloudExchange, WarmMistBringsItsHeat) {
+TEST(CloudExchange, WarmMistSharesItsHeatWithTheAir) {
+  // A breath of it brings all its heat; much of it takes the air to its own temperature and no further.
+  for (const double rate : {1e-5, 100.0}) {
+    CloudTest t;
+    t.settings.spray = false, t.settings.waterWarms = false;
+    t.settings.mistRate = rate, t.settings.mostGiven = 0.9;
+    t.settings.waterTemperature = t.surrounding.temperature + 10.0;
+    t.block(8, 8, 4, {0, 0, 3}, {0, 0, -20});
+    t.sample();
+    t.run(0.1);
+    const AirBudget air = t.grid->budget();
+    const double mist = air.added[0], capacity = t.surrounding.carrier.density * kDryAirHeat;
+    EXPECT_GT(mist, 0.0);
+    const double share = air.added[2] * capacity / (mist * kWaterHeat * 10.0);
+    if (rate < 1.0) {
+      EXPECT_NEAR(share, 1.0, 1e-3);
+    } else {
+      EXPECT_LT(share, 0.9);
+    }
+    for (double x = -2.0; x < 4.0; x += 0.5)
+      for (double z = 0.5; z < 8.0; z += 0.5) {
+        const Result<std::vector<AirCellNow>> cells = t.grid->cellsAt({{x, 0.5, z}});
+        ASSERT_TRUE(cells.ok());
+        EXPECT_LE((*cells)[0].densities[2], 10.0 + 1e-4);
+      }
+  }
+}
+
+TEST(CloudExchange, TheAirTearsLumpsToDrops) {
   CloudTest t;
-  t.settings.spray = false;
-  t.settings.waterTemperature = t.surrounding.temperature + 10.0;
-  t.block(8, 8, 4, {0, 0, 3}, {0, 0, -20});
-  t.sample();
-  t.run(0.1);
-  const AirBudget air = t.grid->budget();
-  const double mist = air.added[0];
-  EXPECT_GT(mist, 0.0);
-  EXPECT_NEAR(air.added[2] * t.surrounding.carrier.density * kDryAirHeat / (mist * kWaterHeat * 10.0), 1.0,
-              1e-9);
+  t.settings.sprayLife = 1e6;
+  const CarrierAir& air = t.surrounding.carrier;
+  SprayParcel p;
+  p.position = {0, 0, 90}, p.velocity = {0, 0, -30}, p.diameter = 0.1, p.units = unitsGiven(1.0) / 100;
+  t.state.parcels = {p};
+  const double takes = breakUpTime(0.1, 30.0, 1000.0, air.density);
+  const double slow = std::sqrt(1000.0 / air.density), weber = air.density * 900.0 * 0.1 / 0.0749;
+  EXPECT_NEAR(takes, 0.766 * std::pow(weber - 12.0, 0.25) * slow * 0.1 / 30.0, 1e-9);
+  EXPECT_NEAR(breakUpTime(0.1, 60.0, 1000.0, air.density), 5.5 * slow * 0.1 / 60.0, 1e-9);
+  const double drop = largestDrop(30.0, air.density);
+  t.run(0.01, false);
+  EXPECT_NEAR(t.state.parcels.at(0).diameter, drop + (0.1 - drop) * std::exp(-0.01 / takes), 1e-9);
+  for (int k = 0; k < 400; ++k) t.run(0.01, false);
+  EXPECT_LT(t.state.parcels.at(0).diameter, 3e-3);
+  EXPECT_GT(t.state.parcels.at(0).diameter, 5e-4);
+  EXPECT_EQ(breakUpTime(0.1, 0.5, 1000.0, air.density), HUGE_VAL) << "a breath tears nothing";
 }
 
 TEST(CloudExchange, ADropThatFliesReachesItsTerminalSpeedAndLands) {
   CloudTest t;
+  t.settings.lumpDiameter = t.settings.dropDiameter;
   t.settings.sprayLife = 1e6;
   t.block(1, 1, 1, {0, 0, 40}, {0, 0, 0});
   t.sample();
@@ -252,7 +289,7 @@ TEST(CloudExchange, ADropFallsBackIntoThePoolThatItFliesOver) {
 TEST(CloudExchange, SprayFraysIntoMistByItsLife) {
   CloudTest t;
   SprayParcel p;
-  p.position = {0, 0, 90}, p.diameter = 1e-3, p.units = unitsGiven(1.0);
+  p.position = {0, 0, 90}, p.diameter = t.settings.dropDiameter, p.units = unitsGiven(1.0);
   t.state.parcels = {p};
   t.settings.sprayLife = 1.0;
   for (int k = 0; k < 10; ++k) t.run(0.1, false);
@@ -291,12 +328,18 @@ TEST(CloudExchange, WhatSettlesInFrostIsSnowForTheCoverAndWaterInThaw) {
   }
 }
 
+AirConfig twoMetres() {
+  AirConfig config;
+  config.cell = 2.0;
+  return config;
+}
+
 TEST(AirContact, NoStepOvershootsWaterOrSaturation) {
   const SurroundingAir air = SurroundingAir::of(273.15, 101325.0, 0.5);
-  const double water = 283.15, cell = 2.0, volume = 8.0;
-  const WaterContact strong{{1, 1, 1}, {}, 1e9, 1e-9, 100.0, 100.0};
-  const FakeAir calm{AirConfig{}};
-  const ContactEffect all = exchangeHeat({strong}, calm, {}, cell, water, air, 1.0);
+  const double water = 283.15, volume = 8.0;
+  const WaterContact strong{{1, 1, 1}, {}, 1e9, 0.0, 1e-9, 100.0, 100.0};
+  FakeAir calm{twoMetres()};
+  const ContactEffect all = *exchangeHeat({strong}, calm, water, air, 1.0);
   ASSERT_EQ(all.sources.size(), 1u);
   EXPECT_NEAR(all.sources[0].amounts[2] / volume, 10.0, 1e-9);
   EXPECT_NEAR(all.sources[0].amounts[3] / volume / air.excessOver(water), 1.0, 1e-6);
@@ -304,15 +347,16 @@ TEST(AirContact, NoStepOvershootsWaterOrSaturation) {
   // In a short time as Newton's law says, and each contact by its share.
   WaterContact weak = strong, weaker = strong;
   weak.conductance = 3.0, weaker.conductance = 1.0;
-  const ContactEffect some = exchangeHeat({weak, weaker}, calm, {}, cell, water, air, 0.1);
+  const ContactEffect some = *exchangeHeat({weak, weaker}, calm, water, air, 0.1);
   EXPECT_NEAR(some.sources[0].amounts[2] * air.carrier.density * kDryAirHeat / (4.0 * 10.0 * 0.1), 1.0, 1e-4);
   EXPECT_NEAR(some.vapour[0] / some.vapour[1], 3.0, 5e-3);
 }
 
 TEST(AirContact, ColdWaterTakesVapourOutOfMoistAir) {
   const SurroundingAir air = SurroundingAir::of(293.15, 101325.0, 0.9);
+  FakeAir moist{twoMetres()};
   const ContactEffect effect =
-      exchangeHeat({{{1, 1, 1}, {}, 1e3, 1e-9, 1.0, 1e-3}}, FakeAir{AirConfig{}}, {}, 2.0, 278.15, air, 1.0);
+      *exchangeHeat({{{1, 1, 1}, {}, 1e3, 0.0, 1e-9, 1.0, 1e-3}}, moist, 278.15, air, 1.0);
   EXPECT_LT(effect.sources[0].amounts[2], 0.0);
   EXPECT_NEAR(effect.vapour[0], -1e-3, 1e-8) << "no more than it has room for";
 }

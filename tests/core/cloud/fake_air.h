@@ -22,7 +22,7 @@ class FakeAir final : public AirSolver {
       for (std::size_t k = 0; k < kAirScalars; ++k) m_budget.added[k] += s.amounts[k];
       Cell& c = cellAt(s.position);
       for (std::size_t k = 0; k < kAirScalars; ++k) c.amounts[k] += static_cast<float>(s.amounts[k]);
-      push(c, s.impulse);
+      push(c, s.impulse, s.amounts[0] + s.amounts[1] + s.amounts[3]);
     }
     return {};
   }
@@ -33,7 +33,7 @@ class FakeAir final : public AirSolver {
       const double share = p.rate * seconds / (1.0 + p.rate * seconds * (1.0 + p.mass / airMass()));
       const Vec3d change = (air - p.velocity) * share;
       p.velocity += change;
-      push(c, change * -p.mass);
+      push(c, change * -p.mass, 0.0);
       m_budget.addedImpulse += change * -p.mass;
     }
     return {};
@@ -46,14 +46,17 @@ class FakeAir final : public AirSolver {
     }
     return found;
   }
-  std::vector<AirAmounts> densities(const std::vector<Vec3d>& places) const override {
-    std::vector<AirAmounts> found(places.size(), AirAmounts{});
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const auto it = m_cells.find(keyOf(places[i]));
-      if (it == m_cells.end()) continue;
+  Result<std::vector<AirCellNow>> cellsAt(const std::vector<Vec3d>& places) override {
+    for (const Vec3d& p : places) cellAt(p);
+    std::vector<AirCellNow> found;
+    for (const Vec3d& p : places) {
+      const auto it = m_cells.find(keyOf(p));
+      AirCellNow now;
+      now.cell = static_cast<std::uint32_t>(std::distance(m_cells.begin(), it));
+      now.volume = m_config.cell * m_config.cell * m_config.cell;
       for (std::size_t k = 0; k < kAirScalars; ++k)
-        found[i][k] =
-            static_cast<double>(it->second.amounts[k]) / (m_config.cell * m_config.cell * m_config.cell);
+        now.densities[k] = static_cast<double>(it->second.amounts[k]) / now.volume;
+      found.push_back(now);
     }
     return found;
   }
@@ -167,9 +170,12 @@ class FakeAir final : public AirSolver {
     return Vec3f{c.velocity[0], c.velocity[1], c.velocity[2]}.to<double>();
   }
   double airMass() const { return 1.3 * m_config.cell * m_config.cell * m_config.cell; }
-  void push(Cell& c, Vec3d impulse) {
+  /// After the mass that came with it.
+  void push(Cell& c, Vec3d impulse, double mass) {
+    const Vec3d change =
+        (impulse - velocityOf(c) * mass) * (1.0 / (airMass() + static_cast<double>(c.amounts[0] + c.amounts[1])));
     for (int axis = 0; axis < 3; ++axis)
-      c.velocity[static_cast<std::size_t>(axis)] += static_cast<float>(impulse[axis] / airMass());
+      c.velocity[static_cast<std::size_t>(axis)] += static_cast<float>(change[axis]);
   }
 
   AirConfig m_config;
