@@ -227,7 +227,8 @@ void CloudExchange::fly() {
   std::vector<SprayParcel> flying;
   flying.reserve(m_state.parcels.size());
   for (SprayParcel& p : m_state.parcels) {
-    switch (flyOn(p, m_part.seconds(), m_part.to, world)) {
+    Vec3d end;
+    switch (flyOn(p, m_part.seconds(), m_part.to, world, end)) {
       case SprayEnd::Flies:
         flying.push_back(p);
         break;
@@ -235,7 +236,7 @@ void CloudExchange::fly() {
         m_state.account.sprayLeft += massOf(p);
         break;
       case SprayEnd::Landed:
-        land(p);
+        land(p, end);
         break;
       case SprayEnd::Rejoins:
         if (!absorb(p)) flowOn(p, p.velocity, 1);
@@ -246,8 +247,8 @@ void CloudExchange::fly() {
 }
 
 /// What is much of a particle flows on, the rest lies where it fell.
-void CloudExchange::land(const SprayParcel& parcel) {
-  const Vec3d normal = m_part.solids.normal(parcel.position);
+void CloudExchange::land(const SprayParcel& parcel, Vec3d hit) {
+  const Vec3d normal = m_part.solids.normal(hit);
   const double into = std::min(dot(parcel.velocity, normal), 0.0);
   flowOn(parcel, parcel.velocity - normal * into, unitsGiven(kWholeShare));
 }
@@ -293,7 +294,9 @@ bool CloudExchange::absorb(const SprayParcel& parcel) {
   if (m_touchedOf[nearest] == SIZE_MAX) {
     const FlowParticle& p = m_samples[nearest].particle;
     m_touchedOf[nearest] = m_touched.size();
-    m_touched.push_back({nearest, {}, p.velocity, unitsGiven(p.given), false, FlowClass::Main, false});
+    Touched taker;
+    taker.sample = nearest, taker.velocity = p.velocity, taker.given = unitsGiven(p.given);
+    m_touched.push_back(taker);
   }
   Touched& t = m_touched[m_touchedOf[nearest]];
   if (t.given - parcel.units < unitsGiven(-0.9)) return false;

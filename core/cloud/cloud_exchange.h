@@ -10,6 +10,7 @@
 #include "core/cloud/cloud_solids.h"
 #include "core/cloud/cloud_state.h"
 #include "core/cloud/flow_cells.h"
+#include "core/cloud/flow_velocities.h"
 #include "core/cloud/surrounding_air.h"
 #include "core/flow/flow_frame.h"
 #include "core/nodes/air_nodes.h"
@@ -31,6 +32,7 @@ struct CloudPart {
   FlowSolver* flow = nullptr;                      ///< null: it stands still
   std::vector<FlowParticle>* rejoining = nullptr;  ///< as flow
   SnowFallout* cover = nullptr;                    ///< null: none takes what settles
+  const FlowVelocities* before = nullptr;          ///< when this part began; null: impacts are not seen
 
   double seconds() const { return to - from; }
 };
@@ -54,6 +56,7 @@ class CloudExchange {
     std::size_t sample = 0;
     Vec3d wind{};      ///< m/s
     Vec3d velocity{};  ///< m/s, as it becomes
+    double stopped = 0.0;  ///< m/s that other things than weight changed its velocity by in this part
     std::int64_t given = 0;
     bool taken = false;
     FlowClass kind = FlowClass::Main;
@@ -61,6 +64,8 @@ class CloudExchange {
   };
 
   void look();
+  double changeOf(const FlowSample& sample) const;
+  bool isImpact(double change) const { return change > m_part.settings.impactAcceleration * m_part.seconds(); }
   void giveMist();
   void giveMist(Touched& t);
   void leaveFlow();
@@ -76,7 +81,7 @@ class CloudExchange {
   void fray();
   Status handOver();
   void fly();
-  void land(const SprayParcel& parcel);
+  void land(const SprayParcel& parcel, Vec3d hit);
   void flowOn(const SprayParcel& parcel, Vec3d velocity, std::int64_t least);
   void rejoin(const SprayParcel& parcel, Vec3d velocity);
   bool absorb(const SprayParcel& parcel);

@@ -86,6 +86,14 @@ void CloudExchange::addSource(Vec3d position, std::int64_t units, std::size_t ma
   m_state.account.impulseToAir += impulse;
 }
 
+/// m/s; 0 where the particle came in meanwhile.
+double CloudExchange::changeOf(const FlowSample& sample) const {
+  if (!m_part.before) return 0.0;
+  const std::optional<Vec3d> then = m_part.before->of(sample.particle.id);
+  if (!then) return 0.0;
+  return length(sample.particle.velocity - *then - m_part.config.gravity * m_part.seconds());
+}
+
 /// Particles at the surface, alone, or hit by something.
 void CloudExchange::look() {
   m_samples = m_part.flow->samples();
@@ -95,8 +103,8 @@ void CloudExchange::look() {
     const FlowSample& s = m_samples[i];
     Touched t;
     t.kind = flowClassOf(m_part.config, s);
-    const bool hit = s.neighbours >= 0 && length(s.pairAcceleration) > m_part.settings.impactAcceleration;
-    if (t.kind == FlowClass::Main && !hit) continue;
+    t.stopped = changeOf(s);
+    if (t.kind == FlowClass::Main && !isImpact(t.stopped)) continue;
     t.sample = i;
     t.free = t.kind == FlowClass::Isolated &&
              m_part.solids.distance(s.particle.position) > kOffGround * m_part.config.spacing;
@@ -122,15 +130,12 @@ void CloudExchange::giveMist(Touched& t) {
   const FlowSample& sample = sampleOf(t);
   const std::size_t material = sample.particle.material;
   const bool snow = isSnow(materialOf(material));
-  const double acceleration = length(sample.pairAcceleration);
-  const bool hit = sample.neighbours >= 0 && acceleration > s.impactAcceleration;
   const double seconds = m_part.seconds();
   const double least = snow ? s.powderSpeed : s.mistSpeed, speed = length(t.velocity - t.wind);
   // Particles in slow water push each other about as hard as some that hit a rock: speed tells them apart.
   const double fast = clampedPotential(speed, least, 3.0 * least);
-  // What it has just felt stands for the part, but it cannot lose more speed than it has.
-  const double taken = std::min(acceleration, speed / seconds);
-  const double byImpact = hit ? (snow ? s.impactSnow : s.impactWater) * taken * fast : 0.0;
+  const double byImpact =
+      isImpact(t.stopped) ? (snow ? s.impactSnow : s.impactWater) * t.stopped / seconds * fast : 0.0;
   const double bySurface = t.kind == FlowClass::Main ? 0.0 : (snow ? s.powderRate : s.mistRate) * fast;
   const double rate = byImpact + bySurface;
   if (!(rate > 0.0)) return;
@@ -140,11 +145,10 @@ void CloudExchange::giveMist(Touched& t) {
       static_cast<std::int64_t>(std::llround(shareOfRate(rate, seconds) * static_cast<double>(left)));
   const std::int64_t units = std::min(wanted, allowed);
   if (units <= 0) return;
-  const double before = leftOf(t), gift = kilograms(units, material);
-  // What an impact throws out takes the particle's speed with it, as published: it is slowed by what it gave.
-  const Vec3d slowed = asFloats(t.velocity * (1.0 - gift * byImpact / (rate * before)));
-  const Vec3d impulse = t.velocity * before - slowed * (before - gift);
-  t.velocity = slowed;
+  // The particle loses the momentum of what it gave. To slow what is left of it as well, as is published for
+  // particles whose masses stay, would hand it over twice.
+  const double gift = kilograms(units, material);
+  const Vec3d impulse = t.velocity * gift;
   t.given += units;
   m_state.account.fromFlow += gift;
   m_state.account.impulseFromFlow += impulse;
@@ -215,7 +219,8 @@ void CloudExchange::throwUp(Touched& t, double rate) {
   const auto draw = [&](std::uint32_t k) { return random.uniformDouble(p.id, 64 * m_state.part + k); };
   const double left = 1.0 - static_cast<double>(t.given) * kGivenUnit;
   const double wanted = shareOfRate(rate, m_part.seconds()) * left / kThrownShare;
-  const auto most = (unitsGiven(m_part.settings.mostGiven) - t.given) / quantum;
+  const auto most =
+      std::max<std::int64_t>(unitsGiven(m_part.settings.mostGiven) - t.given, std::int64_t{0}) / quantum;
   const auto count = std::clamp<std::int64_t>(static_cast<std::int64_t>(wanted + draw(0)), 0,
                                               std::min<std::int64_t>(most, 8));
   const Vec3d forward = normalized(t.velocity);

@@ -111,6 +111,10 @@ class CloudProcess final : public Process {
     m_cover = context.exchange.find<SnowFallout>();
     m_coupling = &context.exchange.emplace<FlowCoupling>();
     m_coupling->longest = scene.settings<AirNode>(0.0).coupling;
+    m_coupling->before = [this](const FlowPart& begins) -> Status {
+      m_before.note(begins.solver.samples());
+      return {};
+    };
     m_coupling->after = [this](const FlowPart& done) { return after(done); };
     return {};
   }
@@ -144,7 +148,8 @@ class CloudProcess final : public Process {
                          flow ? flow->config : m_scene->flow,
                          flow ? &flow->solver : nullptr,
                          flow ? &m_coupling->rejoining : nullptr,
-                         m_cover};
+                         m_cover,
+                         flow ? &m_before : nullptr};
     CloudExchange exchange(made, m_state);
     exchange.takeBack(std::exchange(m_coupling->refused, {}));
     const ScopedStage stage(context.backend.timings(), "air");
@@ -161,6 +166,7 @@ class CloudProcess final : public Process {
   FlowCoupling* m_coupling = nullptr;  ///< in the exchange
   SnowFallout* m_cover = nullptr;      ///< likewise; null without a cover
   CloudState m_state;
+  FlowVelocities m_before;       ///< of the part that is under way
   bool m_coupled = false;        ///< the flow's step has taken the air along
   std::vector<AirStep> m_steps;  ///< of the latest frame
 };

@@ -8,10 +8,35 @@
 #include "core/sph/flow_setup.h"
 
 namespace spin {
+namespace {
+
+/// Without the bytes between members, which are anything.
+struct PackedParticle {
+  Vec3d position, velocity;
+  double excess, given;
+  std::uint32_t id, material;
+};
+
+void putParticles(const std::vector<FlowParticle>& particles, ByteWriter& out) {
+  std::vector<PackedParticle> packed;
+  for (const FlowParticle& p : particles)
+    packed.push_back({p.position, p.velocity, p.excess, p.given, p.id, p.material});
+  out.putArray(packed);
+}
+
+std::vector<FlowParticle> getParticles(ByteReader& in) {
+  std::vector<FlowParticle> particles;
+  for (const PackedParticle& p : in.getArray<PackedParticle>())
+    particles.push_back(
+        {p.position, p.velocity, static_cast<std::uint8_t>(std::min(p.material, 255u)), p.id, p.excess, p.given});
+  return particles;
+}
+
+}  // namespace
 
 void saveCloud(const FlowCoupling& coupling, const SnowFallout* cover, const AirState& air, ByteWriter& out) {
-  out.putArray(coupling.rejoining);
-  out.putArray(coupling.refused);
+  putParticles(coupling.rejoining, out);
+  putParticles(coupling.refused, out);
   out.putArray(cover ? cover->falling : std::vector<SnowGrain>());
   out.putArray(cover ? cover->refused : std::vector<SnowGrain>());
   out.putArray(air.bricks);
@@ -22,8 +47,8 @@ void saveCloud(const FlowCoupling& coupling, const SnowFallout* cover, const Air
 }
 
 AirState loadCloud(ByteReader& in, FlowCoupling& coupling, SnowFallout* cover) {
-  coupling.rejoining = in.getArray<FlowParticle>();
-  coupling.refused = in.getArray<FlowParticle>();
+  coupling.rejoining = getParticles(in);
+  coupling.refused = getParticles(in);
   SnowFallout falling;
   falling.falling = in.getArray<SnowGrain>();
   falling.refused = in.getArray<SnowGrain>();

@@ -14,13 +14,14 @@ bool within(const Box3d& box, Vec3d p) {
 
 }  // namespace
 
-SprayEnd flyOn(SprayParcel& parcel, double seconds, double film, const SprayWorld& world) {
+SprayEnd flyOn(SprayParcel& parcel, double seconds, double film, const SprayWorld& world, Vec3d& end) {
   const Vec3d from = parcel.position, way = parcel.velocity * seconds;
   const double all = length(way);
   const bool mayRejoin = world.flow && film - parcel.born > kSprayGrace;
   double gone = 0.0;
   for (;;) {
     const Vec3d p = all > 0.0 ? from + way * (gone / all) : from;
+    end = p;
     const double free = world.solids.distance(p);
     // Where the box ends at the ground what falls through it has landed.
     if (!within(world.box, p)) return free <= 0.0 && p.z < world.box.min.z ? SprayEnd::Landed : SprayEnd::Left;

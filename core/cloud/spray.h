@@ -22,7 +22,8 @@ struct SprayWorld {
 /// Parcels do not go back into the flow that they have just left, s.
 inline constexpr double kSprayGrace = 0.1;
 
-/// Moves a parcel along its velocity; it stops before what is solid, and in the flow.
-SprayEnd flyOn(SprayParcel& parcel, double seconds, double film, const SprayWorld& world);
+/// Moves a parcel along its velocity; it stops before what is solid, and in the flow. `end` is where it would
+/// have been next: in the solid where it landed.
+SprayEnd flyOn(SprayParcel& parcel, double seconds, double film, const SprayWorld& world, Vec3d& end);
 
 }  // namespace spin

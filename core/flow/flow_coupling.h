@@ -25,6 +25,7 @@ struct FlowPart {
 /// of which was sampled.
 struct FlowCoupling {
   double longest = 1.0 / 24.0;  ///< s of film from one call to the next, at most
+  std::function<Status(const FlowPart&)> before;  ///< a part begins; may be empty
   std::function<Status(const FlowPart&)> after;
   std::vector<FlowParticle> rejoining;  ///< come into the flow when its next part begins
   std::vector<FlowParticle> refused;    ///< those of them that lay in solids: they are their owner's again

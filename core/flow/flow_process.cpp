@@ -226,7 +226,11 @@ class FlowProcess final : public Process {
     const int parts = m_coupling ? m_coupling->partsOf(end - from) : 1;
     int part = 1;  // the one that is under way
     const auto partEnd = [&](int k) { return k == parts ? end : from + (end - from) * k / parts; };
-    if (Status entered = rejoin(from); !entered) return entered;
+    const auto begin = [&](double now) -> Status {
+      if (Status entered = rejoin(now); !entered || !m_coupling || !m_coupling->before) return entered;
+      return m_coupling->before({input, now, partEnd(part), *m_solver, m_config, context});
+    };
+    if (Status begun = begin(from); !begun) return begun;
     for (double now = from; now < end - kSameTime;) {
       if (context.cancel.cancelled())
         return Error{ErrorKind::Cancelled, "The simulation stopped", "flow", "it was cancelled", ""};
@@ -243,11 +247,11 @@ class FlowProcess final : public Process {
       if (m_coupling) {
         const FlowPart done{input, partEnd(part - 1), now, *m_solver, m_config, context};
         if (Status acted = m_coupling->after(done); !acted) return acted;
-        // What comes back at the end of a frame enters at the beginning of the next: it has no samples yet.
-        if (part < parts)
-          if (Status entered = rejoin(now); !entered) return entered;
       }
       ++part;
+      // What comes back at the end of a frame enters at the beginning of the next: it has no samples yet.
+      if (part <= parts)
+        if (Status begun = begin(now); !begun) return begun;
     }
     return {};
   }
