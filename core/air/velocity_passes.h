@@ -2,119 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/air/air_trace.h"
 #include "core/air/pressure_passes.h"
 
 /// Passes over velocities, which lie at the lower faces of cells. Places are in cells from the lattice's
 /// corner.
 namespace spin {
-
-struct AirDims {
-  std::int32_t x = 0, y = 0, z = 0;
-};
-
-template <class Real>
-struct LatticePlace {
-  Real x, y, z;
-};
-
-/// The eight corners round a place of a field whose samples lie at whole numbers.
-template <class At>
-struct Corners {
-  using Real = typename At::Real;
-  using Int = typename At::Int;
-  Int first;
-  Real fx, fy, fz;
-
-  SPIN_HD_INLINE Corners(const LatticePlace<Real>& p, const AirDims& dims, const AirStrides& strides) {
-    const Real x = held(p.x, dims.x), y = held(p.y, dims.y), z = held(p.z, dims.z);
-    const Int ix = toInt(x), iy = toInt(y), iz = toInt(z);
-    fx = x - toFloat(ix);
-    fy = y - toFloat(iy);
-    fz = z - toFloat(iz);
-    first = ix + iy * Int(strides.y) + iz * Int(strides.z);
-  }
-
-  SPIN_HD_INLINE Real linear(const float* field, const AirStrides& s) const {
-    const Real low = plane(field, s.y), high = plane(field + s.z, s.y);
-    return mulAdd(fz, high - low, low);
-  }
-  /// Also the least and the largest of the corners.
-  SPIN_HD_INLINE Real linear(const float* field, const AirStrides& s, Real& least, Real& most) const {
-    Real v[8];
-    for (int c = 0; c < 8; ++c) v[c] = gather(field + (c & 1) + (c & 2 ? s.y : 0) + (c & 4 ? s.z : 0), first);
-    least = most = v[0];
-    for (int c = 1; c < 8; ++c) {
-      least = minimum(least, v[c]);
-      most = maximum(most, v[c]);
-    }
-    const Real a = mulAdd(fx, v[1] - v[0], v[0]), b = mulAdd(fx, v[3] - v[2], v[2]);
-    const Real c = mulAdd(fx, v[5] - v[4], v[4]), d = mulAdd(fx, v[7] - v[6], v[6]);
-    const Real low = mulAdd(fy, b - a, a), high = mulAdd(fy, d - c, c);
-    return mulAdd(fz, high - low, low);
-  }
-
- private:
-  SPIN_HD_INLINE static Real held(Real p, int cells) {
-    return minimum(maximum(p, lit<Real>(0.0)), lit<Real>(static_cast<double>(cells) - 1.002));
-  }
-  SPIN_HD_INLINE Real plane(const float* field, int y) const {
-    const Real a = gather(field, first), b = gather(field + 1, first);
-    const Real c = gather(field + y, first), d = gather(field + y + 1, first);
-    const Real low = mulAdd(fx, b - a, a), high = mulAdd(fx, d - c, c);
-    return mulAdd(fy, high - low, low);
-  }
-};
-
-/// Velocity field of a lattice.
-struct VelocityView {
-  AirStrides strides;
-  AirDims dims;
-  const float* u[3];
-};
-
-/// Corners of component k round a place.
-template <class At>
-SPIN_HD_INLINE Corners<At> cornersOf(const VelocityView& v, int k, const LatticePlace<typename At::Real>& p) {
-  using Real = typename At::Real;
-  const Real half = lit<Real>(0.5);
-  LatticePlace<Real> q{p.x - half, p.y - half, p.z - half};
-  if (k == 0) q.x = p.x;
-  if (k == 1) q.y = p.y;
-  if (k == 2) q.z = p.z;
-  return Corners<At>(q, v.dims, v.strides);
-}
-
-/// Where the centre of the lower face along `axis` is.
-template <int axis, class At>
-SPIN_HD_INLINE LatticePlace<typename At::Real> faceOf(const At& at) {
-  using Real = typename At::Real;
-  return {at.lanesX() + lit<Real>(axis == 0 ? 0.0 : 0.5), lit<Real>(at.y + (axis == 1 ? 0.0 : 0.5)),
-          lit<Real>(at.z + (axis == 2 ? 0.0 : 0.5))};
-}
-
-/// Component k at that face: its own, or the mean of the four round it.
-template <int axis, class At>
-SPIN_HD_INLINE typename At::Real atFace(const VelocityView& v, const At& at, int k) {
-  if (k == axis) return at.load(v.u[k]);
-  const int steps[3] = {1, v.strides.y, v.strides.z};
-  const int along = steps[k], back = -steps[axis];
-  return lit<typename At::Real>(0.25) *
-         (at.load(v.u[k]) + at.load(v.u[k], along) + at.load(v.u[k], back) + at.load(v.u[k], along + back));
-}
-
-/// Where the air at a face comes from (cells < 0) or goes to: midpoint rule, `cells` = time over cell size.
-template <int axis, class At>
-SPIN_HD_INLINE LatticePlace<typename At::Real> traced(const VelocityView& v, const At& at, float cells) {
-  using Real = typename At::Real;
-  const LatticePlace<Real> p = faceOf<axis>(at);
-  const Real half(0.5f * cells), whole(cells);
-  const LatticePlace<Real> mid{mulAdd(half, atFace<axis>(v, at, 0), p.x),
-                               mulAdd(half, atFace<axis>(v, at, 1), p.y),
-                               mulAdd(half, atFace<axis>(v, at, 2), p.z)};
-  return {mulAdd(whole, cornersOf<At>(v, 0, mid).linear(v.u[0], v.strides), p.x),
-          mulAdd(whole, cornersOf<At>(v, 1, mid).linear(v.u[1], v.strides), p.y),
-          mulAdd(whole, cornersOf<At>(v, 2, mid).linear(v.u[2], v.strides), p.z)};
-}
 
 /// 1 where a lower face's velocity is computed: it is open and a solved cell touches it.
 template <class At>
@@ -135,14 +28,16 @@ struct CarryPass {
   SPIN_HD_INLINE void operator()(const At& at) const {
     using Real = typename At::Real;
     const Real moves = faceMoves(at, area, open, axis == 0 ? 1 : axis == 1 ? v.strides.y : v.strides.z);
-    const Corners<At> corners = cornersOf<At>(v, axis, traced<axis>(v, at, -cells));
-    Real low, high;
-    const Real value = corners.linear(from, v.strides, low, high);
-    at.store(selectLess(lit<Real>(0.0), moves, value, at.load(from)), to);
-    if (least) {
-      at.store(low, least);
-      at.store(high, most);
+    const LatticePlace<Real> d = traced<axis>(v, at, -cells);
+    if (!least) {
+      const Real value = displaced<axis, axis>(v, from, at, d, allWithin<At>(d, 1.0));
+      at.store(selectLess(lit<Real>(0.0), moves, value, at.load(from)), to);
+      return;
     }
+    const HeldValue<Real> held = heldAt<axis>(v, from, at, d);
+    at.store(selectLess(lit<Real>(0.0), moves, held.value, at.load(from)), to);
+    at.store(held.least, least);
+    at.store(held.most, most);
   }
 };
 
@@ -160,7 +55,8 @@ struct CarryBackPass {
   SPIN_HD_INLINE void operator()(const At& at) const {
     using Real = typename At::Real;
     const Real moves = faceMoves(at, area, open, axis == 0 ? 1 : axis == 1 ? v.strides.y : v.strides.z);
-    const Real back = cornersOf<At>(v, axis, traced<axis>(v, at, cells)).linear(carried, v.strides);
+    const LatticePlace<Real> d = traced<axis>(v, at, cells);
+    const Real back = displaced<axis, axis>(v, carried, at, d, allWithin<At>(d, 1.0));
     const Real own = at.load(from), mended = mulAdd(lit<Real>(0.5), own - back, at.load(carried));
     const Real held = minimum(maximum(mended, at.load(least)), at.load(most));
     at.store(selectLess(lit<Real>(0.0), moves, held, own), to);
@@ -180,7 +76,7 @@ struct CarryCubicPass {
   SPIN_HD_INLINE void operator()(const At& at) const {
     using Real = typename At::Real;
     const Real moves = faceMoves(at, area, open, axis == 0 ? 1 : axis == 1 ? v.strides.y : v.strides.z);
-    LatticePlace<Real> p = traced<axis>(v, at, -cells);
+    LatticePlace<Real> p = moved(faceOf<axis>(at), traced<axis>(v, at, -cells));
     // Two samples are needed on either side.
     p.x = inside(p.x, v.dims.x);
     p.y = inside(p.y, v.dims.y);

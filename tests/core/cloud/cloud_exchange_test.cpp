@@ -168,7 +168,7 @@ TEST(CloudExchange, AnImpactGivesMistBySpeedTakenWithItsMomentum) {
   }
   EXPECT_GT(hit, 60) << "the lowest layers";
   EXPECT_LT(hit, 512);
-  EXPECT_LT(length(t.state.account.impulseToAir - impulse), 1e-2 * length(impulse));
+  EXPECT_LT(length(t.state.account.impulseToAir - impulse), 3e-2 * length(impulse)) << "not twice";
 }
 
 TEST(CloudExchange, NoParticleGivesMoreThanItMay) {
