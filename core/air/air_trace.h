@@ -147,9 +147,9 @@ SPIN_HD_INLINE auto along(Real d, const Value& at) {
 /// are loaded as they lie, which is many times faster than to gather corners lane by lane.
 template <int k, int axis, class At, class Load>
 SPIN_HD_INLINE auto nearBy(const LatticePlace<typename At::Real>& d, const AirStrides& s, const Load& load) {
-  return along<reachOf(k, axis, 2)>(d.z, [&](int z) {
-    return along<reachOf(k, axis, 1)>(d.y, [&](int y) {
-      return along<reachOf(k, axis, 0)>(d.x, [&](int x) { return load(x + y * s.y + z * s.z); });
+  return along<reachOf(k, axis, 2)>(d.z, [&](int z) SPIN_INLINE_LAMBDA {
+    return along<reachOf(k, axis, 1)>(d.y, [&](int y) SPIN_INLINE_LAMBDA {
+      return along<reachOf(k, axis, 0)>(d.x, [&](int x) SPIN_INLINE_LAMBDA { return load(x + y * s.y + z * s.z); });
     });
   });
 }
@@ -177,7 +177,7 @@ template <int k, int axis, class At>
 SPIN_HD_INLINE typename At::Real displaced(const VelocityView& v, const float* field, const At& at,
                                            const LatticePlace<typename At::Real>& d, bool isNear) {
   if (isNear)
-    return nearBy<k, axis, At>(d, v.strides, [&](int offset) { return at.load(field, offset); });
+    return nearBy<k, axis, At>(d, v.strides, [&](int offset) SPIN_INLINE_LAMBDA { return at.load(field, offset); });
   return cornersOf<At>(v, k, moved(faceOf<axis>(at), d)).linear(field, v.strides);
 }
 
@@ -187,7 +187,7 @@ SPIN_HD_INLINE HeldValue<typename At::Real> heldAt(const VelocityView& v, const 
                                                    const LatticePlace<typename At::Real>& d) {
   using Real = typename At::Real;
   if (allWithin<At>(d, 1.0))
-    return nearBy<axis, axis, At>(d, v.strides, [&](int offset) {
+    return nearBy<axis, axis, At>(d, v.strides, [&](int offset) SPIN_INLINE_LAMBDA {
       const Real own = at.load(field, offset);
       return HeldValue<Real>{own, own, own};
     });
