@@ -42,6 +42,9 @@ struct AirSolid {
   std::function<Vec3d(Vec3d)>
       velocity;  ///< m/s of its surface; empty: it stands still and is asked only once
   Vec3d low{-1e30, -1e30, -1e30}, high{1e30, 1e30, 1e30};  ///< beyond there is none of it
+  /// False only where none of it is in the box between two corners; empty: it may be anywhere. `distance`
+  /// does not tell: far from the surface it need not be a true one.
+  std::function<bool(Vec3d, Vec3d)> mayTouch = {};
 };
 
 /// Parts of a step that are done; for measuring one alone.
@@ -96,9 +99,9 @@ struct AirSource {
 
 /// What takes in what is added at a place.
 struct AirCellNow {
-  std::uint32_t cell = 0;   ///< the same for places that share it, until bricks come or go
-  double volume = 0.0;      ///< m3 that are open; 0 where none takes anything
-  AirAmounts densities{};   ///< kg/m3, warmth in K
+  std::uint32_t cell = 0;  ///< the same for places that share it, until bricks come or go
+  double volume = 0.0;     ///< m3 that are open; 0 where none takes anything
+  AirAmounts densities{};  ///< kg/m3, warmth in K
 };
 
 /// Something that the air drags and that drags the air.

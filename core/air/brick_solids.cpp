@@ -26,29 +26,36 @@ double positiveShareOf(double a, double b, double c) {
   return lonePositive ? corner : 1.0 - corner;
 }
 
+double distanceTo(const AirSolid& solid, Vec3d at) {
+  const bool near = at.x >= solid.low.x && at.y >= solid.low.y && at.z >= solid.low.z &&
+                    at.x <= solid.high.x && at.y <= solid.high.y && at.z <= solid.high.z;
+  return near ? solid.distance(at) : 1e30;
+}
+
 /// Distances at the corners of a brick's cells and of those next to it on the lower sides.
 class CornerDistances {
  public:
+  enum class Of { All, Standing };
   static constexpr int kX = kBrickX + 2, kY = kBrickY + 2, kZ = kBrickZ + 2;
 
-  CornerDistances(const AirConfig& config, const BrickKey& key) {
+  CornerDistances(const AirConfig& config, const BrickKey& key, Of of) {
+    // A surface between two corners of a face is no farther from either: what is more is no true distance,
+    // and would put the surface beside the wrong one.
+    const double most = std::sqrt(2.0) * config.cell;
     for (int z = 0; z < kZ; ++z)
       for (int y = 0; y < kY; ++y)
         for (int x = 0; x < kX; ++x) {
           const Vec3d at =
               config.origin + config.cell * Vec3d{key[0] * kBrickX + x - 1.0, key[1] * kBrickY + y - 1.0,
                                                   key[2] * kBrickZ + z - 1.0};
-          m_values[static_cast<std::size_t>((z * kY + y) * kX + x)] = distanceAt(config, at);
+          m_values[static_cast<std::size_t>((z * kY + y) * kX + x)] =
+              std::clamp(distanceAt(config, at, of), -most, most);
         }
   }
-  static double distanceAt(const AirConfig& config, Vec3d at) {
-    double least = 1e30;
-    for (const AirSolid& solid : config.solids) {
-      const bool near = at.x >= solid.low.x && at.y >= solid.low.y && at.z >= solid.low.z &&
-                        at.x <= solid.high.x && at.y <= solid.high.y && at.z <= solid.high.z;
-      if (near) least = std::min(least, solid.distance(at));
-    }
-    return least;
+
+  /// Whether no cell is cut.
+  bool open() const {
+    return std::all_of(m_values.begin(), m_values.end(), [](double v) { return v > 0.0; });
   }
 
   /// Of the lower corner of cell (x, y, z) of the brick, each from -1.
@@ -73,23 +80,31 @@ class CornerDistances {
       sum += face(x, y, z, axis) + face(x + (axis == 0), y + (axis == 1), z + (axis == 2), axis);
     return sum / 6.0;
   }
+  /// Sum over a cell's faces of their open share times their direction, against it.
+  Vec3d opening(int x, int y, int z) const {
+    return {face(x, y, z, 0) - face(x + 1, y, z, 0), face(x, y, z, 1) - face(x, y + 1, z, 1),
+            face(x, y, z, 2) - face(x, y, z + 1, 2)};
+  }
 
  private:
+  static double distanceAt(const AirConfig& config, Vec3d at, Of of) {
+    double least = 1e30;
+    for (const AirSolid& solid : config.solids)
+      if (of == Of::All || !solid.velocity) least = std::min(least, distanceTo(solid, at));
+    return least;
+  }
+
   std::array<double, static_cast<std::size_t>(kX) * kY * kZ> m_values{};
 };
 
-/// Whether a solid's box, within which alone it is, meets that of a brick: its distance is not known from
-/// afar.
-bool nearBoxes(const AirConfig& config, Vec3d middle, Vec3d half) {
-  const Vec3d more = half + Vec3d{2.0, 2.0, 2.0} * config.cell;
-  for (const AirSolid& solid : config.solids) {
-    if (solid.low.x < -1e29) continue;
-    const bool meets = solid.low.x <= middle.x + more.x && solid.high.x >= middle.x - more.x &&
-                       solid.low.y <= middle.y + more.y && solid.high.y >= middle.y - more.y &&
-                       solid.low.z <= middle.z + more.z && solid.high.z >= middle.z - more.z;
-    if (meets) return true;
-  }
-  return false;
+/// Whether some of it may be in the cells of a brick or in those next to them.
+bool mayTouch(const AirConfig& config, const AirSolid& solid, const BrickKey& key) {
+  const Vec3d low = config.origin + config.cell * Vec3d{key[0] * kBrickX - 1.0, key[1] * kBrickY - 1.0,
+                                                        key[2] * kBrickZ - 1.0};
+  const Vec3d high = low + config.cell * Vec3d{kBrickX + 2.0, kBrickY + 2.0, kBrickZ + 2.0};
+  const bool meets = solid.low.x <= high.x && solid.high.x >= low.x && solid.low.y <= high.y &&
+                     solid.high.y >= low.y && solid.low.z <= high.z && solid.high.z >= low.z;
+  return meets && (!solid.mayTouch || solid.mayTouch(low, high));
 }
 
 /// Whether a cell lies beyond a closed side of the domain.
@@ -114,35 +129,45 @@ Vec3d cellCentre(const AirConfig& config, const BrickKey& key, int x, int y, int
                                              key[2] * kBrickZ + z + 0.5};
 }
 
-/// Velocity of the moving solid that a place is nearest to, if one is within reach.
-bool solidVelocity(const AirConfig& config, Vec3d at, double reach, Vec3d& velocity) {
-  double least = reach;
-  bool found = false;
+/// Velocity at a cell's centre of the moving solid that comes nearest to its centre and corners.
+Vec3d solidVelocity(const AirConfig& config, Vec3d centre) {
+  double least = 1e30;
+  Vec3d velocity{};
   for (const AirSolid& solid : config.solids) {
     if (!solid.velocity) continue;
-    const bool inBox = at.x >= solid.low.x && at.y >= solid.low.y && at.z >= solid.low.z &&
-                       at.x <= solid.high.x && at.y <= solid.high.y && at.z <= solid.high.z;
-    const double distance = inBox ? solid.distance(at) : 1e30;
+    double distance = distanceTo(solid, centre);
+    for (int k = 0; k < 8; ++k) {
+      const Vec3d corner{k & 1 ? 0.5 : -0.5, k & 2 ? 0.5 : -0.5, k & 4 ? 0.5 : -0.5};
+      distance = std::min(distance, distanceTo(solid, centre + config.cell * corner));
+    }
     if (distance >= least) continue;
     least = distance;
-    velocity = solid.velocity(at);
-    found = true;
+    velocity = solid.velocity(centre);
   }
-  return found;
+  return velocity;
 }
 
 /// A solid that moves with speed s through a cell pushes out what its open faces would let in at that speed:
-/// the net outflow is the sum over them of (u - s) times their share.
-double motionFlux(const CornerDistances& corners, int x, int y, int z, Vec3d s) {
-  const auto difference = [&](int axis) {
-    return corners.face(x, y, z, axis) -
-           corners.face(x + (axis == 0), y + (axis == 1), z + (axis == 2), axis);
-  };
-  return s.x * difference(0) + s.y * difference(1) + s.z * difference(2);
+/// the net outflow is the sum over them of (u - s) times their share. What standing solids take of the faces
+/// has no part in that.
+void pushBySolids(const AirConfig& config, const BrickKey& key, const CornerDistances& corners,
+                  BrickSolids& solids) {
+  const CornerDistances standing(config, key, CornerDistances::Of::Standing);
+  std::size_t cell = 0;
+  for (int z = 0; z < kBrickZ; ++z)
+    for (int y = 0; y < kBrickY; ++y)
+      for (int x = 0; x < kBrickX; ++x, ++cell) {
+        if (solids.volume[cell] <= 0.0f) continue;
+        const Vec3d cut = corners.opening(x, y, z) - standing.opening(x, y, z);
+        if (cut == Vec3d{}) continue;
+        solids.flux[cell] =
+            static_cast<float>(dot(cut, solidVelocity(config, cellCentre(config, key, x, y, z))));
+      }
 }
 
 void cutBySolids(const AirConfig& config, const BrickKey& key, BrickSolids& solids) {
-  const CornerDistances corners(config, key);
+  const CornerDistances corners(config, key, CornerDistances::Of::All);
+  if (corners.open()) return;
   solids.open = false;
   std::size_t cell = 0;
   for (int z = 0; z < kBrickZ; ++z)
@@ -157,13 +182,8 @@ void cutBySolids(const AirConfig& config, const BrickKey& key, BrickSolids& soli
           if (share < kLeastShare || volume < kLeastShare || below < kLeastShare) share = 0.0;
           solids.area[static_cast<std::size_t>(axis)][cell] = static_cast<float>(share);
         }
-        Vec3d speed{};
-        if (volume < kLeastShare ||
-            !solidVelocity(config, cellCentre(config, key, x, y, z), 1.5 * config.cell, speed))
-          continue;
-        solids.moves = true;
-        solids.flux[cell] = static_cast<float>(motionFlux(corners, x, y, z, speed));
       }
+  if (solids.moves) pushBySolids(config, key, corners, solids);
 }
 
 /// Sets what lies beyond closed sides, and the walls between.
@@ -192,12 +212,13 @@ void cutByWalls(const AirConfig& config, const BrickKey& key, BrickSolids& solid
 BrickSolids cutBrick(const AirConfig& config, const BrickKey& key) {
   BrickSolids solids;
   openBrick(solids);
-  const Vec3d half = 0.5 * config.cell * Vec3d{kBrickX, kBrickY, kBrickZ};
-  const Vec3d middle = config.origin + 2.0 * Vec3d{key[0] * half.x, key[1] * half.y, key[2] * half.z} + half;
-  // With the cells next to it.
-  const double reach = length(half) + 2.0 * config.cell;
-  if (CornerDistances::distanceAt(config, middle) < reach || nearBoxes(config, middle, half))
-    cutBySolids(config, key, solids);
+  bool near = false;
+  for (const AirSolid& solid : config.solids) {
+    if (!mayTouch(config, solid, key)) continue;
+    near = true;
+    solids.moves = solids.moves || solid.velocity;
+  }
+  if (near) cutBySolids(config, key, solids);
   bool atWall = false;
   for (std::size_t a = 0; a < 3; ++a)
     atWall = atWall || (config.closed[2 * a] && key[a] <= config.lowBrick[a]) ||

@@ -20,7 +20,7 @@ struct BrickSolids {
   std::array<float, kBrickCells> volume;               ///< open share of cells: 0, or kLeastVolume to 1
   std::array<float, kBrickCells> flux;  ///< net outflow by the solids' own motion, of a cell's face times m/s
   bool open = true;                     ///< all shares are 1
-  bool moves = false;                   ///< a moving solid is near
+  bool moves = false;                   ///< a moving solid may be in it
 };
 
 /// Shares of faces from the distances at their corners, of cells from those of their faces.

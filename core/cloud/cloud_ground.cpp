@@ -37,7 +37,9 @@ CloudGround::CloudGround(const SceneSnapshot& scene) {
   if (!scene.terrain || scene.terrain->heights.empty()) return;
   auto heights = std::make_shared<Raster<float>>(scene.terrain->heights);
   fillHoles(*heights);
-  if (!std::isnan(heights->values.front())) m_heights = std::move(heights);
+  if (std::isnan(heights->values.front())) return;
+  m_highest = static_cast<double>(*std::max_element(heights->values.begin(), heights->values.end()));
+  m_heights = std::move(heights);
 }
 
 Vec2d CloudGround::held(double x, double y) const {
@@ -58,6 +60,20 @@ double CloudGround::distance(Vec3d p) const {
   const Vec2d at = held(p.x, p.y);
   const double above = p.z - height(p.x, p.y);
   return above * TerrainSurface(*m_heights).normalAt(at.x, at.y).z;
+}
+
+bool CloudGround::mayTouch(Vec3d low, Vec3d high) const {
+  if (!m_heights) return low.z <= 0.0;
+  if (low.z > m_highest) return false;
+  // The surface between cells lies between their heights.
+  const Raster<float>& h = *m_heights;
+  const Vec2d first = held(low.x, low.y), last = held(high.x, high.y);
+  const int i0 = std::max(h.column(first.x) - 1, 0), i1 = std::min(h.column(last.x) + 1, h.width - 1);
+  const int j0 = std::max(h.row(first.y) - 1, 0), j1 = std::min(h.row(last.y) + 1, h.height - 1);
+  for (int j = j0; j <= j1; ++j)
+    for (int i = i0; i <= i1; ++i)
+      if (static_cast<double>(h.at(i, j)) >= low.z) return true;
+  return false;
 }
 
 }  // namespace spin

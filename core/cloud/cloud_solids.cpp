@@ -15,6 +15,14 @@ double fieldDistance(const SignedDistanceView& view, Vec3d p) {
   return view.sample(at.x, at.y, at.z, value) ? static_cast<double>(value.distance) : kFar;
 }
 
+/// All that a field knows of.
+Box3d boxOf(const SignedDistanceView& view) {
+  const Vec3d low{view.originX, view.originY, view.originZ};
+  const double block = kFieldBlock / static_cast<double>(view.cellsPerMetre);
+  return {low, low + block * Vec3d{static_cast<double>(view.blocksX), static_cast<double>(view.blocksY),
+                                   static_cast<double>(view.blocksZ)}};
+}
+
 }  // namespace
 
 Result<CloudSolids> CloudSolids::make(const SceneSnapshot& scene, const FlowScene& flow, double cell,
@@ -60,12 +68,20 @@ std::vector<AirSolid> CloudSolids::airSolids() const {
   std::vector<AirSolid> solids;
   // Copies, so that the solver may keep the functions longer than this is there.
   const CloudSolids own = *this;
-  solids.push_back({[own](Vec3d p) { return own.groundDistance(p); }, {}});
-  for (const auto& mesh : m_meshes)
-    solids.push_back({[mesh](Vec3d p) { return fieldDistance(mesh->view({}), p); }, {}});
-  for (std::size_t k = 0; k < m_shapes.size(); ++k)
+  AirSolid ground{[own](Vec3d p) { return own.groundDistance(p); }, {}};
+  ground.mayTouch = [own](Vec3d low, Vec3d high) { return own.m_ground.mayTouch(low, high); };
+  solids.push_back(std::move(ground));
+  for (const auto& mesh : m_meshes) {
+    const Box3d box = boxOf(mesh->view({}));
+    solids.push_back({[mesh](Vec3d p) { return fieldDistance(mesh->view({}), p); }, {}, box.min, box.max});
+  }
+  for (std::size_t k = 0; k < m_shapes.size(); ++k) {
+    const double far = m_shapes[k]->radius + m_shapes[k]->field->reach();
+    const Vec3d middle = (*m_bodies)[k].position, half{far, far, far};
     solids.push_back({[own, k](Vec3d p) { return own.bodyDistance(k, p); },
-                      [own, k](Vec3d p) { return (*own.m_bodies)[k].velocityAt(p); }});
+                      [own, k](Vec3d p) { return (*own.m_bodies)[k].velocityAt(p); }, middle - half,
+                      middle + half});
+  }
   return solids;
 }
 

@@ -32,7 +32,7 @@ class CloudSolids {
   /// Unit, out of what is nearest.
   Vec3d normal(Vec3d p) const;
 
-  /// For the solver, bodies last; they follow place().
+  /// For the solver, bodies last; they follow place(), their boxes do not.
   std::vector<AirSolid> airSolids() const;
 
  private:

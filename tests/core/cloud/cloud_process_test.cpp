@@ -10,6 +10,7 @@
 #include <csignal>
 #include <thread>
 
+#include "core/air/brick_solids.h"
 #include "core/cloud/cloud_process.h"
 #include "core/cloud/cloud_scene.h"
 #include "core/nodes/weather_nodes.h"
@@ -256,6 +257,63 @@ TEST(CloudScene, WindOverACliffIsNoFasterThanTwiceTheOneOverLevelGround) {
     for (double x = 10.0; x < 60.0; x += 0.7)
       EXPECT_LT(length(made->air.wind({x, 30, z})), 2.0 * 4.0 * logProfile(300.0, 0.01) + 1e-6)
           << x << ' ' << z;
+}
+
+/// Land of a height, with water that flows over it, and the air over all of it.
+FlowTestScene airyLand(double spacing, double margin, const std::function<double(double)>& height) {
+  FlowTestScene scene;
+  scene.land(51, 31, 2.0, [=](double x, double) { return height(x); });
+  scene.settings.spacing = spacing, scene.settings.margin = 4.0, scene.settings.headroom = 6.0;
+  WaterSourceNode source;
+  source.position = {26.0, 22.0, 0.1}, source.end = {26.0, 38.0, 0.1};
+  source.velocity = {4.0, 0.0, 0.0}, source.flowPerMetre = 3.5;
+  AirNode air;
+  air.margin = margin, air.headroom = 40.0;
+  return scene.add(kWaterSourceType, "crest", source).add(kAirType, "air", air);
+}
+
+TEST(CloudScene, CliffsHaveNoHoles) {
+  const auto height = [](double x) { return std::clamp(27.5 * (32.0 - x), 0.0, 55.0); };
+  for (const auto& [spacing, margin] : {std::pair{0.4, 20.0}, {0.3, 12.0}}) {
+    const Result<CloudScene> made = makeCloudScene(airyLand(spacing, margin, height).build(), {});
+    ASSERT_TRUE(made.ok()) << made.error().text();
+    const AirConfig& c = made->air;
+    int rock = 0, holes = 0;
+    for (std::int32_t z = 0; z < c.highBrick[2]; ++z)
+      for (std::int32_t x = 0; x < c.highBrick[0]; ++x) {
+        const BrickSolids solids = cutBrick(c, {x, c.highBrick[1] / 2, z});
+        for (int k = 0; k < static_cast<int>(kBrickCells); ++k) {
+          const double right = c.origin.x + c.cell * (x * kBrickX + k % kBrickX + 1.0);
+          const double top = c.origin.z + c.cell * (z * kBrickZ + k / (kBrickX * kBrickY) + 1.0);
+          if (top >= height(right)) continue;
+          ++rock;
+          holes += solids.volume[static_cast<std::size_t>(k)] > 0.0f;
+        }
+      }
+    EXPECT_GT(rock, 500);
+    EXPECT_EQ(holes, 0) << "of " << rock << " at " << spacing;
+  }
+}
+
+TEST(CloudScene, ModelsAreSolidWhereverTheyStand) {
+  for (const RigidMotion motion : {RigidMotion::Static, RigidMotion::Dynamic})
+    for (const double at : {24.0, 26.0, 28.0}) {
+      FlowTestScene scene = airyLand(0.2, 10.0, [](double) { return 0.0; });
+      scene.settings.headroom = 46.0;
+      test::addCube(scene, "crate", 5.0f, {at, 30.0, 30.0}, motion);
+      const Result<CloudScene> made = makeCloudScene(scene.build(), {});
+      ASSERT_TRUE(made.ok()) << made.error().text();
+      const AirConfig& c = made->air;
+      double solid = 0.0;
+      for (std::int32_t z = 0; z < c.highBrick[2]; ++z)
+        for (std::int32_t y = 0; y < c.highBrick[1]; ++y)
+          for (std::int32_t x = 0; x < c.highBrick[0]; ++x) {
+            if (c.origin.z + c.cell * kBrickZ * z < 20.0) continue;
+            for (const float volume : cutBrick(c, {x, y, z}).volume)
+              solid += 1.0 - static_cast<double>(volume);
+          }
+      EXPECT_NEAR(solid * c.cell * c.cell * c.cell, 125.0, 8.0) << "at " << at;
+    }
 }
 
 TEST(CloudScene, HasTheFlowsSolidsTheWeathersAirAndItsOwnBox) {
