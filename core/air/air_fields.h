@@ -72,6 +72,7 @@ class AirFields {
   std::array<Field, 2> down;               ///< what mist and snow came down since it was asked
   std::array<Array<float>, 3> wind;        ///< by active brick
   Array<AirBrick> active, faces, near;
+  Array<AirBrick> cut;  ///< those of near that are not all open
 
   const AirWindow& window() const { return m_window; }
   const std::vector<BrickSolids>& solids() const { return m_solids; }
@@ -243,10 +244,12 @@ class AirFields {
   void writeSolids(Backend& backend, const AirConfig& config) {
     std::vector<std::int32_t> first;
     std::array<std::vector<float>, 5> values;
+    std::vector<AirBrick> cutBricks;
     m_moving = false;
     for (std::size_t k = 0; k < m_solids.size(); ++k) {
       const BrickSolids& s = m_solids[k];
       first.push_back(m_window.near()[k].first);
+      if (!s.open) cutBricks.push_back(m_window.near()[k]);
       for (std::size_t a = 0; a < 3; ++a)
         values[a].insert(values[a].end(), s.area[a].begin(), s.area[a].end());
       values[3].insert(values[3].end(), s.volume.begin(), s.volume.end());
@@ -259,6 +262,7 @@ class AirFields {
     open.reset(backend, m_window.cells(), strides());
     backend.forEach("bricks", m_window.keys().size() * kBrickCells,
                     OpenKernel{active.data(), volume.data(), open.data(), strides()});
+    backend.upload(cutBricks, cut);
     if (m_sticky) writeSticking(backend, config, first);
   }
 

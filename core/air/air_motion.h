@@ -109,7 +109,8 @@ class AirMotion {
 
   template <int axis>
   void ghosts(Backend& backend, Passes& passes, Fields& f, Field& u) {
-    passes.run(backend, "walls", f.strides(), f.near,
+    if (f.cut.size() == 0) return;
+    passes.run(backend, "walls", f.strides(), f.cut,
                GhostPass<axis>{f.strides(), f.area[axis].data(), f.sticky() ? f.sticks.data() : nullptr,
                                f.sticky() ? f.wall[axis].data() : nullptr, u.data()});
   }

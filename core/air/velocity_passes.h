@@ -121,8 +121,8 @@ struct CarryCubicPass {
 inline constexpr double kThinFace = 0.25;
 
 /// Gives closed faces beside open ones a velocity to interpolate with: that of the open ones where the air
-/// slides, mirrored at the wall's where it sticks. Thin faces get that of the others, too. Over all bricks
-/// near open ones.
+/// slides, mirrored at the wall's where it sticks. Thin faces get that of the others, too. Over the
+/// bricks that hold such faces.
 template <int axis>
 struct GhostPass {
   static constexpr AirResult kResult = AirResult::None;
