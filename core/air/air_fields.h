@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <vector>
 
 #include "core/air/air_loop.h"
-#include "core/air/brick_solids.h"
+#include "core/air/air_recut.h"
 #include "core/air/padded_array.h"
 
 namespace spin {
@@ -102,12 +103,58 @@ class AirFields {
     writeSolids(backend, config);
   }
 
-  /// Cuts the bricks anew that moving solids touch or touched.
-  void recutMoving(Backend& backend, const AirConfig& config) {
-    for (std::size_t k = 0; k < m_solids.size(); ++k)
-      if (m_solids[k].moves || touchesMoving(config, m_window.nearKeys()[k]))
-        m_solids[k] = cutBrick(config, m_window.nearKeys()[k]);
+  /// Cuts the bricks anew that moving solids touch or touched; gives back what has changed as it was before.
+  BricksBefore recutMoving(const AirConfig& config) {
+    BricksBefore before;
+    for (std::size_t k = 0; k < m_solids.size(); ++k) {
+      if (!m_solids[k].moves && !touchesMoving(config, m_window.nearKeys()[k])) continue;
+      const BrickSolids cut = cutBrick(config, m_window.nearKeys()[k]);
+      if (cut == m_solids[k]) continue;
+      before.emplace(k, m_solids[k]);
+      m_solids[k] = cut;
+    }
+    return before;
+  }
+
+  /// Volumes of the active bricks, brick by brick, as they were when solids that move were elsewhere than the
+  /// configuration says: what has changed since is found when they are moved.
+  void takeVolumes(Backend& backend, const AirConfig& config, const float* volumes) {
+    if (std::none_of(config.solids.begin(), config.solids.end(),
+                     [](const AirSolid& s) { return s.velocity; }))
+      return;
+    for (const BrickKey& key : m_window.keys()) {
+      BrickSolids& solids = m_solids[static_cast<std::size_t>(m_window.nearPlace(key))];
+      for (float& own : solids.volume) {
+        const float given = *volumes++;
+        if (given == own || !(given == 0.0f || (given >= kLeastVolume && given <= 1.0f))) continue;
+        own = given;
+        solids.moves = true;
+      }
+    }
     writeSolids(backend, config);
+  }
+
+  /// Brings the solids into the arrays.
+  void writeSolids(Backend& backend, const AirConfig& config) {
+    std::vector<std::int32_t> first;
+    std::array<std::vector<float>, 5> values;
+    m_moving = false;
+    for (std::size_t k = 0; k < m_solids.size(); ++k) {
+      const BrickSolids& s = m_solids[k];
+      first.push_back(m_window.near()[k].first);
+      for (std::size_t a = 0; a < 3; ++a)
+        values[a].insert(values[a].end(), s.area[a].begin(), s.area[a].end());
+      values[3].insert(values[3].end(), s.volume.begin(), s.volume.end());
+      values[4].insert(values[4].end(), s.flux.begin(), s.flux.end());
+      m_moving = m_moving || s.moves;
+    }
+    for (std::size_t a = 0; a < 3; ++a) fill(backend, area[a], first, values[a]);
+    fill(backend, volume, first, values[3]);
+    fill(backend, flux, first, values[4]);
+    open.reset(backend, m_window.cells(), strides());
+    backend.forEach("bricks", m_window.keys().size() * kBrickCells,
+                    OpenKernel{active.data(), volume.data(), open.data(), strides()});
+    if (m_sticky) writeSticking(backend, config, first);
   }
 
   /// Sets bricks of a field; values brick by brick.
@@ -238,28 +285,6 @@ class AirFields {
         return true;
     }
     return false;
-  }
-
-  void writeSolids(Backend& backend, const AirConfig& config) {
-    std::vector<std::int32_t> first;
-    std::array<std::vector<float>, 5> values;
-    m_moving = false;
-    for (std::size_t k = 0; k < m_solids.size(); ++k) {
-      const BrickSolids& s = m_solids[k];
-      first.push_back(m_window.near()[k].first);
-      for (std::size_t a = 0; a < 3; ++a)
-        values[a].insert(values[a].end(), s.area[a].begin(), s.area[a].end());
-      values[3].insert(values[3].end(), s.volume.begin(), s.volume.end());
-      values[4].insert(values[4].end(), s.flux.begin(), s.flux.end());
-      m_moving = m_moving || s.moves;
-    }
-    for (std::size_t a = 0; a < 3; ++a) fill(backend, area[a], first, values[a]);
-    fill(backend, volume, first, values[3]);
-    fill(backend, flux, first, values[4]);
-    open.reset(backend, m_window.cells(), strides());
-    backend.forEach("bricks", m_window.keys().size() * kBrickCells,
-                    OpenKernel{active.data(), volume.data(), open.data(), strides()});
-    if (m_sticky) writeSticking(backend, config, first);
   }
 
   /// Which closed faces hold the air, and how fast they move.

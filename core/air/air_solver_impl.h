@@ -11,6 +11,7 @@
 #include "core/air/air_fields.h"
 #include "core/air/air_host.h"
 #include "core/air/air_motion.h"
+#include "core/air/air_recut.h"
 #include "core/air/air_transport.h"
 
 namespace spin {
@@ -142,7 +143,10 @@ class AirSolverOn final : public AirSolver {
       return Error{ErrorKind::BadInput, "The air stopped", "air", "the number of solids changed",
                    "Report this"};
     m_config.solids = solids;
-    m_fields.recutMoving(m_backend, m_config);
+    const BricksBefore before = m_fields.recutMoving(m_config);
+    if (before.empty()) return {};
+    keepContents(planRecut(m_fields.window(), m_fields.solids(), before));
+    m_fields.writeSolids(m_backend, m_config);
     m_motion.rebuild(m_backend, m_fields);
     return {};
   }
@@ -295,13 +299,26 @@ class AirSolverOn final : public AirSolver {
       m_backend.upload(lists.faces[a], m_index);
       m_backend.upload(lists.impulses[a], m_values);
       m_backend.upload(lists.masses[a], m_masses);
-      m_backend.forEach(
-          "exchange", lists.faces[a].size(),
-          ListedPush{m_fields.u[a].data(), m_fields.load.data(), m_index.data(), m_values.data(),
-                     m_masses.data(), a == 0   ? 1
-                     : a == 1 ? m_fields.strides().y
-                              : m_fields.strides().z,
-                     unit});
+      m_backend.forEach("exchange", lists.faces[a].size(),
+                        ListedPush{m_fields.u[a].data(), m_fields.load.data(), m_index.data(),
+                                   m_values.data(), m_masses.data(),
+                                   a == 0   ? 1
+                                   : a == 1 ? m_fields.strides().y
+                                            : m_fields.strides().z,
+                                   unit});
+    }
+  }
+
+  /// What the cells hold when their volumes change; what has no cell to go to is booked.
+  void keepContents(const RecutPlan& plan) {
+    if (plan.index.empty()) return;
+    const double volume = m_config.cell * m_config.cell * m_config.cell;
+    for (std::size_t a = 0; a < kAirScalars; ++a) {
+      std::vector<float> values = gather(plan.index, m_fields.q[a], 0);
+      m_budget.givenUp[a] += volume * applyRecut(plan, a == std::size_t{2}, values);
+      m_backend.upload(values, m_values);
+      m_backend.forEach("exchange", values.size(),
+                        ListedWrite{m_fields.q[a].data(), m_index.data(), m_values.data()});
     }
   }
 
@@ -347,6 +364,7 @@ class AirSolverOn final : public AirSolver {
     }
     for (std::size_t a = 0; a < kAirScalars; ++a) field(3 + a, m_fields.q[a]);
     for (std::size_t a = 0; a < 2; ++a) field(3 + kAirScalars + a, m_fields.pressure[a]);
+    m_fields.takeVolumes(m_backend, m_config, state.values.data() + (kAirFields - 1) * size);
     unpackUpper(state);
   }
 
