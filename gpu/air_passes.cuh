@@ -15,8 +15,7 @@ __global__ void airPassKernel(Pass pass, AirStrides strides, const AirBrick* bri
   const AirBrick brick = bricks[blockIdx.x];
   const int t = static_cast<int>(threadIdx.x), x = t % kBrickX, y = t / kBrickX % kBrickY,
             z = t / (kBrickX * kBrickY);
-  const CellAt at{brick.first + z * strides.z + y * strides.y + x, brick.x + x, brick.y + y, brick.z + z,
-                  static_cast<int>(blockIdx.x)};
+  const CellAt at{brick.first + z * strides.z + y * strides.y + x, brick.x + x, brick.y + y, brick.z + z};
   if constexpr (Pass::kResult == AirResult::None) {
     pass(at);
   } else {

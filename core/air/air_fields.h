@@ -39,6 +39,21 @@ struct FillBricksKernel {
   }
 };
 
+/// Sets bricks that are not computed to the wind, but for lower faces that belong to computed ones below.
+struct CalmBricksKernel {
+  const std::int32_t* first;
+  const std::int32_t* below;  ///< bit a: the brick below along axis a is computed
+  const float* wind[3];       ///< null: calm
+  float* to[3];
+  AirStrides strides;
+  SPIN_HD void operator()(std::size_t i) const {
+    const int c = static_cast<int>(i % 256), in[3] = {c % 16, c / 16 % 4, c / 64};
+    const int at = first[i / 256] + in[0] + in[1] * strides.y + in[2] * strides.z;
+    for (int a = 0; a < 3; ++a)
+      if (in[a] > 0 || !(below[i / 256] >> a & 1)) to[a][at] = wind[a] ? wind[a][at] : 0.0f;
+  }
+};
+
 /// open = 1 where there is room.
 struct OpenKernel {
   const AirBrick* bricks;
@@ -71,13 +86,15 @@ class AirFields {
   Field hat, least, most;                  ///< of carrying and diffusing
   Field sweepA, sweepB, volumeA, volumeB;  ///< of carrying scalars
   std::array<Field, 2> down;               ///< what mist and snow came down since it was asked
-  std::array<Array<float>, 3> wind;        ///< by active brick
+  std::array<Field, 3> wind;               ///< of the air round the cloud; only where there is any
   Array<AirBrick> active, faces, near;
 
   const AirWindow& window() const { return m_window; }
   const std::vector<BrickSolids>& solids() const { return m_solids; }
   bool sticky() const { return m_sticky; }
   bool moving() const { return m_moving; }
+  /// Null where it is calm.
+  const float* windAt(std::size_t axis) const { return m_windy ? wind[axis].data() : nullptr; }
   AirStrides strides() const { return m_window.strides(); }
 
   /// To the window of other bricks.
@@ -93,7 +110,9 @@ class AirFields {
     for (Field& f : q) carry(backend, old, kept, f);
     for (Field& f : pressure) carry(backend, old, kept, f);
     for (Field& f : down) carry(backend, old, kept, f);
-    fillWind(backend, config, old);
+    m_windy = static_cast<bool>(config.wind);
+    fillWind(backend, config, old, around);
+    calmRim(backend);
     for (Field* f : {&volume, &open, &flux, &load, &hat, &least, &most, &sweepA, &sweepB, &volumeA, &volumeB})
       f->reset(backend, m_window.cells(), strides());
     for (Field& f : area) f.reset(backend, m_window.cells(), strides());
@@ -172,7 +191,7 @@ class AirFields {
     const auto add = [&](const auto& set) {
       for (const Field& f : set) sum += f.bytes();
     };
-    add(u), add(next), add(mid), add(q), add(pressure), add(area), add(wall), add(down);
+    add(u), add(next), add(mid), add(q), add(pressure), add(area), add(wall), add(wind), add(down);
     for (const Field* f :
          {&volume, &open, &flux, &load, &sticks, &hat, &least, &most, &sweepA, &sweepB, &volumeA, &volumeB})
       sum += f->bytes();
@@ -221,36 +240,49 @@ class AirFields {
            config.cell * Vec3d{(key[0] + 0.5) * kBrickX, (key[1] + 0.5) * kBrickY, (key[2] + 0.5) * kBrickZ};
   }
 
-  /// Bricks that were not near before, and those that are not computed any more, get the wind.
-  void fillWind(Backend& backend, const AirConfig& config, const AirWindow& old) {
-    std::array<std::vector<float>, 3> middle;
-    for (const BrickKey& key : m_window.keys()) {
-      const Vec3d speed = config.wind ? config.wind(brickMiddle(config, key)) : Vec3d{};
-      middle[0].push_back(static_cast<float>(speed.x));
-      middle[1].push_back(static_cast<float>(speed.y));
-      middle[2].push_back(static_cast<float>(speed.z));
-    }
-    for (std::size_t a = 0; a < 3; ++a) backend.upload(middle[a], wind[a]);
+  /// Bricks that were not near before get the wind.
+  void fillWind(Backend& backend, const AirConfig& config, const AirWindow& old, const Moves& around) {
     std::vector<std::int32_t> first;
     std::array<std::vector<float>, 3> values;
+    for (std::size_t k = 0; m_windy && k < m_window.nearKeys().size(); ++k) {
+      if (old.nearPlace(m_window.nearKeys()[k]) >= 0) continue;
+      first.push_back(m_window.near()[k].first);
+      appendWind(config, m_window.nearKeys()[k], values);
+    }
+    for (std::size_t a = 0; m_windy && a < 3; ++a) {
+      carry(backend, old, around, wind[a]);
+      for (Field* f : {&wind[a], &u[a], &next[a], &mid[a]}) fill(backend, *f, first, values[a]);
+    }
+  }
+
+  /// What is not computed is the wind, whatever was there: it follows from the bricks alone.
+  void calmRim(Backend& backend) {
+    std::vector<std::int32_t> first, below;
     for (std::size_t k = 0; k < m_window.nearKeys().size(); ++k) {
       const BrickKey& key = m_window.nearKeys()[k];
-      const bool fresh =
-          old.nearPlace(key) < 0 || (old.activePlace(key) >= 0 && m_window.activePlace(key) < 0);
-      if (!fresh) continue;
+      if (m_window.activePlace(key) >= 0) continue;
       first.push_back(m_window.near()[k].first);
-      appendWind(config, key, values);
+      below.push_back(0);
+      for (std::size_t a = 0; a < 3; ++a) {
+        BrickKey lower = key;
+        --lower[a];
+        if (m_window.activePlace(lower) >= 0) below.back() |= 1 << a;
+      }
     }
+    if (first.empty()) return;
+    backend.upload(first, m_from);
+    backend.upload(below, m_to);
     for (std::array<Field, 3>* set : {&u, &next, &mid})
-      for (std::size_t a = 0; a < 3; ++a) fill(backend, (*set)[a], first, values[a]);
+      backend.forEach("bricks", first.size() * kBrickCells,
+                      CalmBricksKernel{m_from.data(),
+                                       m_to.data(),
+                                       {windAt(0), windAt(1), windAt(2)},
+                                       {(*set)[0].data(), (*set)[1].data(), (*set)[2].data()},
+                                       strides()});
   }
 
   static void appendWind(const AirConfig& config, const BrickKey& key,
                          std::array<std::vector<float>, 3>& values) {
-    if (!config.wind) {
-      for (auto& list : values) list.resize(list.size() + kBrickCells, 0.0f);
-      return;
-    }
     for (int z = 0; z < kBrickZ; ++z)
       for (int y = 0; y < kBrickY; ++y)
         for (int x = 0; x < kBrickX; ++x) {
@@ -320,7 +352,7 @@ class AirFields {
 
   AirWindow m_window;
   std::vector<BrickSolids> m_solids;  ///< by nearKeys()
-  bool m_sticky = false, m_moving = false;
+  bool m_sticky = false, m_moving = false, m_windy = false;
   Array<std::int32_t> m_from, m_to;
   Array<float> m_values;
 };

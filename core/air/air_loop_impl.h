@@ -14,7 +14,7 @@ struct PackAt {
   using Real = Pack;
   using Int = IntPack;
   static constexpr int kWidth = kLanes;
-  int index = 0, x = 0, y = 0, z = 0, brick = 0;
+  int index = 0, x = 0, y = 0, z = 0;
 
   SPIN_HD_INLINE Pack load(const float* p, int offset = 0) const { return Pack::load(p + index + offset); }
   SPIN_HD_INLINE void store(Pack value, float* p) const { value.store(p + index); }
@@ -72,10 +72,10 @@ void runAirPass(const Pass& given, AirStrides strides, const AirBrick* bricks, s
     for (int z = 0; z < kBrickZ; ++z)
       for (int y = 0; y < kBrickY; ++y)
         for (int x = 0; x < kBrickX; x += kLanes)
-          runRow(pass,
-                 PackAt{brick.first + z * strides.z + y * strides.y + x, brick.x + x, brick.y + y,
-                        brick.z + z, static_cast<int>(b)},
-                 value);
+          runRow(
+              pass,
+              PackAt{brick.first + z * strides.z + y * strides.y + x, brick.x + x, brick.y + y, brick.z + z},
+              value);
     if constexpr (Pass::kResult != AirResult::None) results[b] = combined(value, Pass::kResult);
   }
 }

@@ -40,7 +40,7 @@ class AirTransport {
     for (std::size_t a = 0; a < 3; ++a) {
       pass.u[a] = f.u[a].data();
       pass.area[a] = f.area[a].data();
-      pass.wind[a] = f.wind[a].data();
+      pass.wind[a] = f.windAt(a);
     }
     pass.open = f.open.data();
     pass.leastSpeed = static_cast<float>(config.leastSpeed);

@@ -163,7 +163,7 @@ struct ActivityPass {
   const float* u[3];
   const float* area[3];
   const float* open;
-  const float* wind[3];  ///< by brick, m/s
+  const float* wind[3];  ///< m/s; null: calm
   float least[4];
   float leastSpeed;
 
@@ -173,8 +173,9 @@ struct ActivityPass {
     Real most = lit<Real>(0.0);
     for (int k = 0; k < 4; ++k) most = maximum(most, magnitude(at.load(q[k])) * Real(1.0f / least[k]));
     for (int k = 0; k < 3; ++k) {
-      const Real apart = magnitude(at.load(u[k]) - Real(wind[k][at.brick])) * positive(at.load(area[k]));
-      most = maximum(most, apart * Real(1.0f / leastSpeed));
+      Real apart = at.load(u[k]);
+      if (wind[k]) apart = apart - at.load(wind[k]);
+      most = maximum(most, magnitude(apart) * positive(at.load(area[k])) * Real(1.0f / leastSpeed));
     }
     return most * at.load(open);
   }

@@ -280,6 +280,47 @@ TEST(AirHard, GoesOnFromAStateBitForBit) {
   EXPECT_EQ(a.budget.deposited, b.budget.deposited);
 }
 
+TEST(AirHard, GoesOnBitForBitWhileBricksGo) {
+  // Puffs that rise apart, so that bricks beside the cloud come and go again.
+  AirConfig c = valley();
+  c.cell = 1.0;
+  c.highBrick = {4, 16, 16};
+  c.temperature = 285.0, c.humidity = 0.6;
+  c.wind = [](Vec3d p) { return Vec3d{1.5 + 0.02 * p.z, 0.5, 0.0}; };
+  c.leastSpeed = 0.6, c.least = {1e-4, 1e-4, 0.5, 1e-3};
+  c.solids = {{[](Vec3d p) { return 0.96 * (p.z - 0.3 * p.x); }, {}}};
+  const Solver whole = make(c), again = make(c);
+  std::size_t gone = 0;
+  for (int k = 0; k < 60; ++k) {
+    const double turn = 0.7 * k;
+    const Vec3d place{12 + 6 * std::cos(turn), 30 + 8 * std::sin(turn), 26 + 6 * std::sin(1.7 * turn)};
+    if (k < 25) {
+      ASSERT_TRUE(whole->add({{place, {0.3, 0, 30, 0}, {0, 3, 8}}}).ok());
+    }
+    const std::size_t cells = whole->cells();
+    const AirState before = whole->state();
+    ASSERT_TRUE(whole->step(0.25).ok());
+    static_cast<void>(whole->takeDeposits());
+    gone += whole->cells() < cells;
+    if (k % 3 != 2) continue;
+    ASSERT_TRUE(again->restore(before).ok());
+    ASSERT_TRUE(again->step(0.25).ok());
+    static_cast<void>(again->takeDeposits());
+    EXPECT_EQ(again->state().values, whole->state().values) << k;
+    EXPECT_EQ(again->state().upper, whole->state().upper) << k;
+  }
+  EXPECT_GT(gone, 3u);
+}
+
+TEST(AirHard, WindThatGrowsWithHeightIsNoReasonToComputeTheAir) {
+  AirConfig c = valley();
+  c.wind = [](Vec3d p) { return Vec3d{0.5 * p.z, 0.0, 0.0}; };
+  const Solver solver = make(c);
+  ASSERT_TRUE(solver->add(puff({8, 12, 3}, 1.0, {1e-4, 0, 0, 0})).ok());
+  for (int k = 0; k < 20; ++k) ASSERT_TRUE(solver->step(0.1).ok());
+  EXPECT_LT(solver->cells(), 4u * 12u * 12u * kBrickCells / 3) << "the cloud lies near the ground";
+}
+
 TEST(AirHard, DragKeepsMomentumAndStaysStable) {
   AirConfig c = valley();
   c.everywhere = true;
