@@ -25,8 +25,9 @@ __global__ void airPassKernel(Pass pass, AirStrides strides, const AirBrick* bri
       __syncthreads();
       if (t >= half) continue;
       const double other = values[t + half];
-      values[t] =
-          Pass::kResult == AirResult::Sum ? values[t] + other : (other > values[t] ? other : values[t]);
+      // What is not a number stays.
+      const bool takes = other > values[t] || other != other;
+      values[t] = Pass::kResult == AirResult::Sum ? values[t] + other : (takes ? other : values[t]);
     }
     if (t == 0) results[blockIdx.x] = values[0];
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -42,13 +43,13 @@ class AirSolverOn final : public AirSolver {
   Status add(const std::vector<AirSource>& sources) override {
     std::vector<Vec3d> places;
     for (const AirSource& s : sources) {
-      if (!isFinite(s.impulse)) return foreignNumber("a source");
+      const double sum = std::accumulate(s.amounts.begin(), s.amounts.end(), 0.0);
+      if (!isFinite(s.impulse) || !std::isfinite(sum)) return foreignNumber("a source");
       places.push_back(s.position);
     }
     if (Status ok = reach(places); !ok) return ok;
     const SourceLists lists = listSources(m_config, m_fields.window(), m_fields.solids(), sources, m_budget);
-    addLists(lists);
-    return {};
+    return addLists(lists);
   }
 
   Status drag(std::vector<AirDrag>& particles, double seconds) override {
@@ -71,8 +72,7 @@ class AirSolverOn final : public AirSolver {
     for (std::size_t c = 0; c < cells.index.size(); ++c)
       addImpulse(m_fields.window(), m_fields.solids(), cells.cell[c], impulses[c], 0.0, lists, m_budget);
     mergeFaces(lists);
-    addLists(lists);
-    return {};
+    return addLists(lists);
   }
 
   std::vector<Vec3d> velocities(const std::vector<Vec3d>& places) const override {
@@ -126,7 +126,7 @@ class AirSolverOn final : public AirSolver {
       if (Status ok = followCloud(); !ok) return ok.error();
       if (m_fields.window().keys().empty()) break;
       const double fastest = m_motion.fastest(m_backend, m_passes, m_fields);
-      if (!std::isfinite(fastest)) return notFinite("velocity");
+      if (!(fastest < kMostSpeed)) return broken("step");
       done.fastest = std::max(done.fastest, fastest);
       const double most = m_config.mostCourant * m_config.cell / std::max(fastest, 1e-6);
       const double part = left / std::ceil(std::max(1.0, left / most * (1.0 - 1e-9)));
@@ -135,6 +135,8 @@ class AirSolverOn final : public AirSolver {
       ++done.subSteps;
       done.cells += m_fields.window().keys().size() * kBrickCells;
     }
+    // Else the phase change has seen to that.
+    if (!changesPhase() && !m_fields.window().keys().empty() && !weigh()) return broken("step");
     return done;
   }
 
@@ -210,10 +212,17 @@ class AirSolverOn final : public AirSolver {
     return saturatedVapour(temperature, growth);
   }
 
-  Error notFinite(const char* what) const {
-    return Error{ErrorKind::Failed, "The air stopped", "air", std::string("a ") + what + " is not finite",
+  /// What is wrong, where, and the stage that found it.
+  Error broken(const char* stage) const {
+    return Error{ErrorKind::Failed, "The air stopped", "air",
+                 firstBroken(m_config, m_fields.window(), m_fields.solids(), hostFields()) +
+                     ", found in stage '" + stage + "'",
                  "Use shorter frames or smaller cells"};
   }
+
+  bool changesPhase() const { return m_config.evaporates && m_config.stages.forces; }
+  /// False where a cell's state is none.
+  bool weigh() { return std::isfinite(m_motion.weigh(m_backend, m_passes, m_fields, m_config, m_ambient)); }
 
   static Error foreignNumber(const char* what) {
     return {ErrorKind::BadInput, "The air stopped", "air", std::string(what) + " is not finite",
@@ -262,7 +271,7 @@ class AirSolverOn final : public AirSolver {
     if (m_config.everywhere || m_fields.window().keys().empty()) return {};
     const std::vector<double> activity = m_transport.activity(m_backend, m_passes, m_fields, m_config);
     for (const double a : activity)
-      if (!std::isfinite(a)) return notFinite("value");
+      if (!std::isfinite(a)) return broken("bricks");
     return useBricks(bricksRound(m_config, m_fields.window(), activity));
   }
 
@@ -272,17 +281,19 @@ class AirSolverOn final : public AirSolver {
       done.iterations += solve.iterations;
       done.residual = std::max(done.residual, solve.residual);
       done.reached = done.reached && solve.reached;
+      return std::isfinite(solve.residual);
     };
-    m_motion.step(m_backend, m_passes, m_fields, m_config, m_ambient, seconds, book);
-    if (!std::isfinite(done.residual)) return notFinite("pressure");
-    if (m_config.stages.advectScalars)
-      m_transport.step(m_backend, m_passes, m_fields, m_config, seconds, m_budget);
-    if (m_config.evaporates && m_config.stages.forces)
-      m_transport.condense(m_backend, m_passes, m_fields, m_config, m_ambient, m_budget);
+    const char* stage = m_motion.step(m_backend, m_passes, m_fields, m_config, m_ambient, seconds, book);
+    if (stage) return broken(stage);
+    if (m_config.stages.advectScalars &&
+        !m_transport.step(m_backend, m_passes, m_fields, m_config, seconds, m_budget))
+      return broken("carry scalars");
+    if (changesPhase() && !m_transport.condense(m_backend, m_passes, m_fields, m_config, m_ambient, m_budget))
+      return broken("phase change");
     return {};
   }
 
-  void addLists(const SourceLists& lists) {
+  Status addLists(const SourceLists& lists) {
     const auto addTo = [&](Field& field, const std::vector<std::uint32_t>& index,
                            const std::vector<float>& values) {
       if (index.empty()) return;
@@ -291,7 +302,8 @@ class AirSolverOn final : public AirSolver {
       m_backend.forEach("exchange", index.size(), ListedAdd{field.data(), m_index.data(), m_values.data()});
     };
     for (std::size_t a = 0; a < kAirScalars; ++a) addTo(m_fields.q[a], lists.cells, lists.amounts[a]);
-    m_motion.weigh(m_backend, m_passes, m_fields, m_config, m_ambient);
+    if (m_fields.window().keys().empty()) return {};
+    if (!weigh()) return broken("exchange");
     const float unit =
         1.0f / (m_ambient.density * static_cast<float>(m_config.cell * m_config.cell * m_config.cell));
     for (std::size_t a = 0; a < 3; ++a) {
@@ -307,6 +319,7 @@ class AirSolverOn final : public AirSolver {
                                             : m_fields.strides().z,
                                    unit});
     }
+    return {};
   }
 
   /// What the cells hold when their volumes change; what has no cell to go to is booked.

@@ -348,6 +348,44 @@ TEST(AirHard, DragKeepsMomentumAndStaysStable) {
   EXPECT_NEAR(z, b.addedImpulse.z, 0.01 * std::abs(b.addedImpulse.z));
 }
 
+/// What the solver says, of a state in which one number has been changed.
+std::string saidOf(AirConfig config, std::size_t field, float value, bool everywhere) {
+  config.everywhere = everywhere;
+  const Solver solver = make(config);
+  EXPECT_TRUE(solver->add(puff({8, 10, 6}, 2.0, {1e-3, 1e-3, 1e-3, 0})).ok());
+  AirState s = solver->state();
+  std::size_t brick = 0;
+  while (s.bricks[brick] != std::array<std::int32_t, 3>{1, 5, 3}) ++brick;
+  s.values[(field * s.bricks.size() + brick) * kBrickCells + 37] = value;
+  EXPECT_TRUE(solver->restore(s).ok());
+  const auto done = solver->step(0.1);
+  return done ? "fine" : done.error().text();
+}
+
+TEST(AirHard, SaysWhatIsWrongAndWhere) {
+  const AirConfig c = valley();
+  // Cell (5, 2, 0) of the brick.
+  const std::string place = "(10.75, 11.25, 6.25) m";
+  for (const bool everywhere : {false, true}) {
+    EXPECT_EQ(saidOf(c, 5, 1.0f, everywhere), "fine");
+    for (const float warmth : {-273.15f, -400.0f, -230.0f}) {
+      const std::string said = saidOf(c, 5, warmth, everywhere);
+      EXPECT_NE(said.find(" K at " + place), std::string::npos) << said;
+      EXPECT_NE(said.find("stage 'weight'"), std::string::npos) << said;
+    }
+    EXPECT_NE(saidOf(c, 3, -5.0f, everywhere).find("weighs nothing at " + place), std::string::npos);
+    EXPECT_NE(saidOf(c, 1, 1e38f, everywhere).find("along y is 1e+38 m/s at " + place), std::string::npos);
+  }
+  AirConfig dry = c;
+  dry.evaporates = false;
+  EXPECT_NE(saidOf(dry, 5, -400.0f, true), "fine");
+  const Solver solver = make(c);
+  EXPECT_FALSE(solver->add({{{8, 10, 6}, {0, 0, NAN, 0}, {}}}).ok());
+  const Status cold = solver->add({{{8, 10, 6}, {0, 0, -300.0 * 0.125, 0}, {}}});
+  ASSERT_FALSE(cold.ok());
+  EXPECT_NE(cold.error().text().find("stage 'exchange'"), std::string::npos) << cold.error().text();
+}
+
 TEST(AirHard, RefusesWhatCannotBe) {
   AirConfig c = valley();
   c.cell = 0.0;
