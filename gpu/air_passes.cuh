@@ -15,8 +15,7 @@ __global__ void airPassKernel(Pass pass, AirStrides strides, const AirBrick* bri
   const AirBrick brick = bricks[blockIdx.x];
   const int t = static_cast<int>(threadIdx.x), x = t % kBrickX, y = t / kBrickX % kBrickY,
             z = t / (kBrickX * kBrickY);
-  const CellAt at{brick.first + z * strides.z + y * strides.y + x, brick.x + x, brick.y + y, brick.z + z,
-                  static_cast<int>(blockIdx.x)};
+  const CellAt at{brick.first + z * strides.z + y * strides.y + x, brick.x + x, brick.y + y, brick.z + z};
   if constexpr (Pass::kResult == AirResult::None) {
     pass(at);
   } else {
@@ -26,8 +25,9 @@ __global__ void airPassKernel(Pass pass, AirStrides strides, const AirBrick* bri
       __syncthreads();
       if (t >= half) continue;
       const double other = values[t + half];
-      values[t] =
-          Pass::kResult == AirResult::Sum ? values[t] + other : (other > values[t] ? other : values[t]);
+      // What is not a number stays.
+      const bool takes = other > values[t] || other != other;
+      values[t] = Pass::kResult == AirResult::Sum ? values[t] + other : (takes ? other : values[t]);
     }
     if (t == 0) results[blockIdx.x] = values[0];
   }

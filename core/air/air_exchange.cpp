@@ -16,12 +16,6 @@ std::int32_t floorDivide(std::int32_t a, std::int32_t b) {
   return a >= 0 ? a / b : -((-a + b - 1) / b);
 }
 
-std::size_t cellInBrick(const CellKey& cell, const BrickKey& key) {
-  const std::int32_t x = cell[0] - key[0] * kBrickX, y = cell[1] - key[1] * kBrickY,
-                     z = cell[2] - key[2] * kBrickZ;
-  return static_cast<std::size_t>((z * kBrickY + y) * kBrickX + x);
-}
-
 const BrickSolids* solidsAt(const AirWindow& window, const std::vector<BrickSolids>& solids,
                             const BrickKey& key) {
   const std::int32_t place = window.nearPlace(key);
@@ -75,6 +69,12 @@ CellKey cellOf(const AirConfig& config, Vec3d place) {
 
 BrickKey brickOf(const CellKey& cell) {
   return {floorDivide(cell[0], kBrickX), floorDivide(cell[1], kBrickY), floorDivide(cell[2], kBrickZ)};
+}
+
+std::size_t cellInBrick(const CellKey& cell, const BrickKey& key) {
+  const std::int32_t x = cell[0] - key[0] * kBrickX, y = cell[1] - key[1] * kBrickY,
+                     z = cell[2] - key[2] * kBrickZ;
+  return static_cast<std::size_t>((z * kBrickY + y) * kBrickX + x);
 }
 
 bool inDomain(const AirConfig& config, const BrickKey& key) {

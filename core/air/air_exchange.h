@@ -16,6 +16,8 @@ inline constexpr std::uint32_t kNoCell = UINT32_MAX;
 
 CellKey cellOf(const AirConfig& config, Vec3d place);
 BrickKey brickOf(const CellKey& cell);
+/// Place of a cell in the arrays of its brick.
+std::size_t cellInBrick(const CellKey& cell, const BrickKey& key);
 bool inDomain(const AirConfig& config, const BrickKey& key);
 /// Index in the window's arrays, or kNoCell where the cell's brick is not active.
 std::uint32_t activeIndex(const AirWindow& window, const CellKey& cell);
@@ -76,8 +78,8 @@ struct ListedRead {
   float* to;
   SPIN_HD void operator()(std::size_t i) const { to[i] = index[i] == kNoCell ? 0.0f : values[index[i]]; }
 };
-/// Impulses at faces, after the mass that came with them has been added; `unit` = 1 over the mass of a cell of
-/// the air round the cloud.
+/// Impulses at faces, after the mass that came with them has been added; `unit` = 1 over the mass of a cell
+/// of the air round the cloud.
 struct ListedPush {
   float* u;
   const float* load;

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <vector>
 
 #include "core/air/air_loop.h"
-#include "core/air/brick_solids.h"
+#include "core/air/air_recut.h"
 #include "core/air/padded_array.h"
 
 namespace spin {
@@ -35,6 +36,21 @@ struct FillBricksKernel {
   SPIN_HD void operator()(std::size_t i) const {
     const int c = static_cast<int>(i % 256), x = c % 16, y = c / 16 % 4, z = c / 64;
     target[first[i / 256] + x + y * strides.y + z * strides.z] = values[i];
+  }
+};
+
+/// Sets bricks that are not computed to the wind, but for lower faces that belong to computed ones below.
+struct CalmBricksKernel {
+  const std::int32_t* first;
+  const std::int32_t* below;  ///< bit a: the brick below along axis a is computed
+  const float* wind[3];       ///< null: calm
+  float* to[3];
+  AirStrides strides;
+  SPIN_HD void operator()(std::size_t i) const {
+    const int c = static_cast<int>(i % 256), in[3] = {c % 16, c / 16 % 4, c / 64};
+    const int at = first[i / 256] + in[0] + in[1] * strides.y + in[2] * strides.z;
+    for (int a = 0; a < 3; ++a)
+      if (in[a] > 0 || !(below[i / 256] >> a & 1)) to[a][at] = wind[a] ? wind[a][at] : 0.0f;
   }
 };
 
@@ -70,7 +86,7 @@ class AirFields {
   Field hat, least, most;                  ///< of carrying and diffusing
   Field sweepA, sweepB, volumeA, volumeB;  ///< of carrying scalars
   std::array<Field, 2> down;               ///< what mist and snow came down since it was asked
-  std::array<Array<float>, 3> wind;        ///< by active brick
+  std::array<Field, 3> wind;               ///< of the air round the cloud; only where there is any
   Array<AirBrick> active, faces, near;
   Array<AirBrick> cut;  ///< those of near that are not all open
 
@@ -78,6 +94,8 @@ class AirFields {
   const std::vector<BrickSolids>& solids() const { return m_solids; }
   bool sticky() const { return m_sticky; }
   bool moving() const { return m_moving; }
+  /// Null where it is calm.
+  const float* windAt(std::size_t axis) const { return m_windy ? wind[axis].data() : nullptr; }
   AirStrides strides() const { return m_window.strides(); }
 
   /// To the window of other bricks.
@@ -93,7 +111,9 @@ class AirFields {
     for (Field& f : q) carry(backend, old, kept, f);
     for (Field& f : pressure) carry(backend, old, kept, f);
     for (Field& f : down) carry(backend, old, kept, f);
-    fillWind(backend, config, old);
+    m_windy = static_cast<bool>(config.wind);
+    fillWind(backend, config, old, around);
+    calmRim(backend);
     for (Field* f : {&volume, &open, &flux, &load, &hat, &least, &most, &sweepA, &sweepB, &volumeA, &volumeB})
       f->reset(backend, m_window.cells(), strides());
     for (Field& f : area) f.reset(backend, m_window.cells(), strides());
@@ -103,12 +123,61 @@ class AirFields {
     writeSolids(backend, config);
   }
 
-  /// Cuts the bricks anew that moving solids touch or touched.
-  void recutMoving(Backend& backend, const AirConfig& config) {
-    for (std::size_t k = 0; k < m_solids.size(); ++k)
-      if (m_solids[k].moves || touchesMoving(config, m_window.nearKeys()[k]))
-        m_solids[k] = cutBrick(config, m_window.nearKeys()[k]);
+  /// Cuts the bricks anew that moving solids touch or touched; gives back what has changed as it was before.
+  BricksBefore recutMoving(const AirConfig& config) {
+    BricksBefore before;
+    for (std::size_t k = 0; k < m_solids.size(); ++k) {
+      if (!m_solids[k].moves && !touchesMoving(config, m_window.nearKeys()[k])) continue;
+      const BrickSolids cut = cutBrick(config, m_window.nearKeys()[k]);
+      if (cut == m_solids[k]) continue;
+      before.emplace(k, m_solids[k]);
+      m_solids[k] = cut;
+    }
+    return before;
+  }
+
+  /// Volumes of the active bricks, brick by brick, as they were when solids that move were elsewhere than the
+  /// configuration says: what has changed since is found when they are moved.
+  void takeVolumes(Backend& backend, const AirConfig& config, const float* volumes) {
+    if (std::none_of(config.solids.begin(), config.solids.end(),
+                     [](const AirSolid& s) { return s.velocity; }))
+      return;
+    for (const BrickKey& key : m_window.keys()) {
+      BrickSolids& solids = m_solids[static_cast<std::size_t>(m_window.nearPlace(key))];
+      for (float& own : solids.volume) {
+        const float given = *volumes++;
+        if (given == own || !(given == 0.0f || (given >= kLeastVolume && given <= 1.0f))) continue;
+        own = given;
+        solids.moves = true;
+      }
+    }
     writeSolids(backend, config);
+  }
+
+  /// Brings the solids into the arrays.
+  void writeSolids(Backend& backend, const AirConfig& config) {
+    std::vector<std::int32_t> first;
+    std::array<std::vector<float>, 5> values;
+    std::vector<AirBrick> cutBricks;
+    m_moving = false;
+    for (std::size_t k = 0; k < m_solids.size(); ++k) {
+      const BrickSolids& s = m_solids[k];
+      first.push_back(m_window.near()[k].first);
+      if (!s.open) cutBricks.push_back(m_window.near()[k]);
+      for (std::size_t a = 0; a < 3; ++a)
+        values[a].insert(values[a].end(), s.area[a].begin(), s.area[a].end());
+      values[3].insert(values[3].end(), s.volume.begin(), s.volume.end());
+      values[4].insert(values[4].end(), s.flux.begin(), s.flux.end());
+      m_moving = m_moving || s.moves;
+    }
+    for (std::size_t a = 0; a < 3; ++a) fill(backend, area[a], first, values[a]);
+    fill(backend, volume, first, values[3]);
+    fill(backend, flux, first, values[4]);
+    open.reset(backend, m_window.cells(), strides());
+    backend.forEach("bricks", m_window.keys().size() * kBrickCells,
+                    OpenKernel{active.data(), volume.data(), open.data(), strides()});
+    backend.upload(cutBricks, cut);
+    if (m_sticky) writeSticking(backend, config, first);
   }
 
   /// Sets bricks of a field; values brick by brick.
@@ -126,7 +195,7 @@ class AirFields {
     const auto add = [&](const auto& set) {
       for (const Field& f : set) sum += f.bytes();
     };
-    add(u), add(next), add(mid), add(q), add(pressure), add(area), add(wall), add(down);
+    add(u), add(next), add(mid), add(q), add(pressure), add(area), add(wall), add(wind), add(down);
     for (const Field* f :
          {&volume, &open, &flux, &load, &sticks, &hat, &least, &most, &sweepA, &sweepB, &volumeA, &volumeB})
       sum += f->bytes();
@@ -175,36 +244,49 @@ class AirFields {
            config.cell * Vec3d{(key[0] + 0.5) * kBrickX, (key[1] + 0.5) * kBrickY, (key[2] + 0.5) * kBrickZ};
   }
 
-  /// Bricks that were not near before, and those that are not computed any more, get the wind.
-  void fillWind(Backend& backend, const AirConfig& config, const AirWindow& old) {
-    std::array<std::vector<float>, 3> middle;
-    for (const BrickKey& key : m_window.keys()) {
-      const Vec3d speed = config.wind ? config.wind(brickMiddle(config, key)) : Vec3d{};
-      middle[0].push_back(static_cast<float>(speed.x));
-      middle[1].push_back(static_cast<float>(speed.y));
-      middle[2].push_back(static_cast<float>(speed.z));
-    }
-    for (std::size_t a = 0; a < 3; ++a) backend.upload(middle[a], wind[a]);
+  /// Bricks that were not near before get the wind.
+  void fillWind(Backend& backend, const AirConfig& config, const AirWindow& old, const Moves& around) {
     std::vector<std::int32_t> first;
     std::array<std::vector<float>, 3> values;
+    for (std::size_t k = 0; m_windy && k < m_window.nearKeys().size(); ++k) {
+      if (old.nearPlace(m_window.nearKeys()[k]) >= 0) continue;
+      first.push_back(m_window.near()[k].first);
+      appendWind(config, m_window.nearKeys()[k], values);
+    }
+    for (std::size_t a = 0; m_windy && a < 3; ++a) {
+      carry(backend, old, around, wind[a]);
+      for (Field* f : {&wind[a], &u[a], &next[a], &mid[a]}) fill(backend, *f, first, values[a]);
+    }
+  }
+
+  /// What is not computed is the wind, whatever was there: it follows from the bricks alone.
+  void calmRim(Backend& backend) {
+    std::vector<std::int32_t> first, below;
     for (std::size_t k = 0; k < m_window.nearKeys().size(); ++k) {
       const BrickKey& key = m_window.nearKeys()[k];
-      const bool fresh =
-          old.nearPlace(key) < 0 || (old.activePlace(key) >= 0 && m_window.activePlace(key) < 0);
-      if (!fresh) continue;
+      if (m_window.activePlace(key) >= 0) continue;
       first.push_back(m_window.near()[k].first);
-      appendWind(config, key, values);
+      below.push_back(0);
+      for (std::size_t a = 0; a < 3; ++a) {
+        BrickKey lower = key;
+        --lower[a];
+        if (m_window.activePlace(lower) >= 0) below.back() |= 1 << a;
+      }
     }
+    if (first.empty()) return;
+    backend.upload(first, m_from);
+    backend.upload(below, m_to);
     for (std::array<Field, 3>* set : {&u, &next, &mid})
-      for (std::size_t a = 0; a < 3; ++a) fill(backend, (*set)[a], first, values[a]);
+      backend.forEach("bricks", first.size() * kBrickCells,
+                      CalmBricksKernel{m_from.data(),
+                                       m_to.data(),
+                                       {windAt(0), windAt(1), windAt(2)},
+                                       {(*set)[0].data(), (*set)[1].data(), (*set)[2].data()},
+                                       strides()});
   }
 
   static void appendWind(const AirConfig& config, const BrickKey& key,
                          std::array<std::vector<float>, 3>& values) {
-    if (!config.wind) {
-      for (auto& list : values) list.resize(list.size() + kBrickCells, 0.0f);
-      return;
-    }
     for (int z = 0; z < kBrickZ; ++z)
       for (int y = 0; y < kBrickY; ++y)
         for (int x = 0; x < kBrickX; ++x) {
@@ -241,31 +323,6 @@ class AirFields {
     return false;
   }
 
-  void writeSolids(Backend& backend, const AirConfig& config) {
-    std::vector<std::int32_t> first;
-    std::array<std::vector<float>, 5> values;
-    std::vector<AirBrick> cutBricks;
-    m_moving = false;
-    for (std::size_t k = 0; k < m_solids.size(); ++k) {
-      const BrickSolids& s = m_solids[k];
-      first.push_back(m_window.near()[k].first);
-      if (!s.open) cutBricks.push_back(m_window.near()[k]);
-      for (std::size_t a = 0; a < 3; ++a)
-        values[a].insert(values[a].end(), s.area[a].begin(), s.area[a].end());
-      values[3].insert(values[3].end(), s.volume.begin(), s.volume.end());
-      values[4].insert(values[4].end(), s.flux.begin(), s.flux.end());
-      m_moving = m_moving || s.moves;
-    }
-    for (std::size_t a = 0; a < 3; ++a) fill(backend, area[a], first, values[a]);
-    fill(backend, volume, first, values[3]);
-    fill(backend, flux, first, values[4]);
-    open.reset(backend, m_window.cells(), strides());
-    backend.forEach("bricks", m_window.keys().size() * kBrickCells,
-                    OpenKernel{active.data(), volume.data(), open.data(), strides()});
-    backend.upload(cutBricks, cut);
-    if (m_sticky) writeSticking(backend, config, first);
-  }
-
   /// Which closed faces hold the air, and how fast they move.
   void writeSticking(Backend& backend, const AirConfig& config, const std::vector<std::int32_t>& first) {
     std::array<std::vector<float>, 4> values;
@@ -299,7 +356,7 @@ class AirFields {
 
   AirWindow m_window;
   std::vector<BrickSolids> m_solids;  ///< by nearKeys()
-  bool m_sticky = false, m_moving = false;
+  bool m_sticky = false, m_moving = false, m_windy = false;
   Array<std::int32_t> m_from, m_to;
   Array<float> m_values;
 };

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/air/air_host.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "core/air/weight_passes.h"
 
 namespace spin {
 namespace {
@@ -43,6 +47,20 @@ std::vector<std::uint32_t> upperFaces(const AirWindow& window, std::size_t axis)
     }
   }
   return index;
+}
+
+Vec3d cellMiddle(const AirConfig& config, const BrickKey& key, int c) {
+  return config.origin + config.cell * Vec3d{key[0] * kBrickX + c % kBrickX + 0.5,
+                                             key[1] * kBrickY + c / kBrickX % kBrickY + 0.5,
+                                             key[2] * kBrickZ + c / (kBrickX * kBrickY) + 0.5};
+}
+
+/// kg/m3, with all that hangs in it.
+double densityOf(const AirConfig& config, const HostFields& fields, std::size_t at) {
+  const auto of = [&](std::size_t a) { return static_cast<double>(fields.q[a][at]); };
+  double growth = 0.0;
+  const double vapour = config.humidity * saturatedVapour(config.temperature, growth) + of(3);
+  return moistDensity(config.temperature + of(2), vapour, config.pressure) + of(0) + of(1);
 }
 
 AirField emptyField(const char* name, const char* unit, int components, const AirWindow& window) {
@@ -156,10 +174,7 @@ void appendDeposits(const AirConfig& config, const AirWindow& window, const std:
   const double volume = config.cell * config.cell * config.cell;
   forCells(window, [&](std::size_t b, int c, std::size_t at) {
     if (mist[at] <= 0.0f && snow[at] <= 0.0f) return;
-    const BrickKey& key = window.keys()[b];
-    const Vec3d middle{key[0] * kBrickX + c % kBrickX + 0.5, key[1] * kBrickY + c / kBrickX % kBrickY + 0.5,
-                       key[2] * kBrickZ + c / (kBrickX * kBrickY) + 0.5};
-    to.push_back({config.origin + config.cell * middle, volume * static_cast<double>(mist[at]),
+    to.push_back({cellMiddle(config, window.keys()[b], c), volume * static_cast<double>(mist[at]),
                   volume * static_cast<double>(snow[at])});
   });
 }
@@ -177,6 +192,37 @@ void publishAir(const AirConfig& config, const AirWindow& window, const std::vec
   part.fields.push_back(scalarField("vapour", "kg/m3", window, fields.q[3]));
   part.fields.push_back(velocityField(window, fields));
   if (divergence) part.fields.push_back(divergenceField(config, window, solids, fields));
+}
+
+std::string firstBroken(const AirConfig& config, const AirWindow& window,
+                        const std::vector<BrickSolids>& solids, const HostFields& fields) {
+  constexpr std::array<const char*, 9> kNames{
+      "velocity along x", "velocity along y", "velocity along z", "mist",           "snow",
+      "warmth",           "vapour",           "pressure",         "second pressure"};
+  const std::vector<float>* const lists[9] = {&fields.u[0], &fields.u[1],        &fields.u[2],
+                                              &fields.q[0], &fields.q[1],        &fields.q[2],
+                                              &fields.q[3], &fields.pressure[0], &fields.pressure[1]};
+  std::string found;
+  forCells(window, [&](std::size_t b, int c, std::size_t at) {
+    if (!found.empty()) return;
+    const BrickKey& key = window.keys()[b];
+    const auto place = [&] {
+      const Vec3d p = cellMiddle(config, key, c);
+      return fmt::format(" at ({:.5g}, {:.5g}, {:.5g}) m", p.x, p.y, p.z);
+    };
+    for (std::size_t k = 0; k < 9 && found.empty(); ++k)
+      if (!std::isfinite((*lists[k])[at])) found = fmt::format("its {} is not finite", kNames[k]) + place();
+    for (std::size_t k = 0; k < 3 && found.empty(); ++k)
+      if (std::abs(static_cast<double>(fields.u[k][at])) >= kMostSpeed)
+        found = fmt::format("its {} is {:.3g} m/s", kNames[k], fields.u[k][at]) + place();
+    const double temperature = config.temperature + static_cast<double>(fields.q[2][at]);
+    if (!found.empty() || solidsOf(window, solids, b).volume[static_cast<std::size_t>(c)] <= 0.0f) return;
+    if (temperature < kLeastTemperature)
+      found = fmt::format("the air is at {:.4g} K", temperature) + place();
+    else if (densityOf(config, fields, at) <= 0.0)
+      found = "the air weighs nothing" + place();
+  });
+  return found.empty() ? "a number is not finite" : found;
 }
 
 AirState packState(const AirWindow& window, const std::vector<BrickSolids>& solids,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "core/air/air_exchange.h"
@@ -16,6 +17,9 @@ struct HostFields {
   std::array<std::vector<float>, 2> pressure;
 };
 
+/// Air that is faster is none that these laws hold for, m/s; steps would be too many.
+inline constexpr double kMostSpeed = 1e5;
+
 std::vector<std::int32_t> firstCells(const AirWindow& window);
 /// Bricks to go on with: those that hold something, and as many round them as the cloud may reach in a
 /// sub-step.
@@ -25,6 +29,9 @@ void appendDeposits(const AirConfig& config, const AirWindow& window, const std:
                     const std::vector<float>& snow, std::vector<AirDeposit>& to);
 void publishAir(const AirConfig& config, const AirWindow& window, const std::vector<BrickSolids>& solids,
                 const HostFields& fields, bool divergence, AirPart& part);
+/// What is wrong in the first cell whose state is none, and where: "the air is at -127 K at (3, 4.5, 2) m".
+std::string firstBroken(const AirConfig& config, const AirWindow& window,
+                        const std::vector<BrickSolids>& solids, const HostFields& fields);
 /// Without budget and order.
 AirState packState(const AirWindow& window, const std::vector<BrickSolids>& solids, const HostFields& fields);
 Status checkAirState(const AirConfig& config, const AirState& state);

@@ -26,7 +26,6 @@ struct CellAt {
   using Int = int;
   static constexpr int kWidth = 1;
   int index = 0, x = 0, y = 0, z = 0;
-  int brick = 0;  ///< in the list that the pass goes over
 
   SPIN_HD_INLINE float load(const float* p, int offset = 0) const { return p[index + offset]; }
   SPIN_HD_INLINE void store(float value, float* p) const { p[index] = value; }

@@ -13,7 +13,8 @@
 
 namespace spin {
 
-/// What a pass gives back per brick: nothing, the sum over its cells, or the largest (>= 0).
+/// What a pass gives back per brick: nothing, the sum over its cells, or the largest (>= 0). Where one of
+/// them is not finite, neither is what comes back.
 enum class AirResult : std::uint8_t { None, Sum, Most };
 
 // The loop of each instruction set over bricks [begin, end), defined in air_loop_impl.h.

@@ -14,7 +14,7 @@ struct PackAt {
   using Real = Pack;
   using Int = IntPack;
   static constexpr int kWidth = kLanes;
-  int index = 0, x = 0, y = 0, z = 0, brick = 0;
+  int index = 0, x = 0, y = 0, z = 0;
 
   SPIN_HD_INLINE Pack load(const float* p, int offset = 0) const { return Pack::load(p + index + offset); }
   SPIN_HD_INLINE void store(Pack value, float* p) const { value.store(p + index); }
@@ -24,14 +24,18 @@ struct PackAt {
   SPIN_HD_INLINE Pack doubled(const float* row) const { return loadDoubled(row + (x >> 1)); }
 };
 
+/// `broken` is 0 while all is finite: no maximum keeps what is not a number.
 template <class Pass>
-SPIN_HD_INLINE void runRow(const Pass& pass, const PackAt& at, Pack& value) {
-  if constexpr (Pass::kResult == AirResult::None)
+SPIN_HD_INLINE void runRow(const Pass& pass, const PackAt& at, Pack& value, Pack& broken) {
+  if constexpr (Pass::kResult == AirResult::None) {
     pass(at);
-  else if constexpr (Pass::kResult == AirResult::Sum)
+  } else if constexpr (Pass::kResult == AirResult::Sum) {
     value = value + pass(at);
-  else
-    value = maximum(value, pass(at));
+  } else {
+    const Pack now = pass(at);
+    value = maximum(value, now);
+    broken = broken + (now - now);
+  }
 }
 
 SPIN_HD_INLINE double combined(Pack value, AirResult result) {
@@ -68,15 +72,16 @@ void runAirPass(const Pass& given, AirStrides strides, const AirBrick* bricks, s
   const Pass pass = given;  // a copy that no store can reach, so that its pointers stay in registers
   for (std::size_t b = begin; b < end; ++b) {
     const AirBrick brick = bricks[b];
-    Pack value(0.0f);
+    Pack value(0.0f), broken(0.0f);
     for (int z = 0; z < kBrickZ; ++z)
       for (int y = 0; y < kBrickY; ++y)
         for (int x = 0; x < kBrickX; x += kLanes)
-          runRow(pass,
-                 PackAt{brick.first + z * strides.z + y * strides.y + x, brick.x + x, brick.y + y,
-                        brick.z + z, static_cast<int>(b)},
-                 value);
-    if constexpr (Pass::kResult != AirResult::None) results[b] = combined(value, Pass::kResult);
+          runRow(
+              pass,
+              PackAt{brick.first + z * strides.z + y * strides.y + x, brick.x + x, brick.y + y, brick.z + z},
+              value, broken);
+    if constexpr (Pass::kResult != AirResult::None)
+      results[b] = combined(value, Pass::kResult) + combined(broken, AirResult::Sum);
   }
 }
 

@@ -30,12 +30,10 @@ class AirMotion {
         passes.results(backend, "step", f.strides(), f.faces,
                        FastestPass{{f.u[0].data(), f.u[1].data(), f.u[2].data()},
                                    {f.area[0].data(), f.area[1].data(), f.area[2].data()}});
-    double most = 0.0;
-    for (const double v : values) most = v > most || std::isnan(v) ? v : most;
-    return most;
+    return largest(values);
   }
 
-  /// Density over that round the cloud, less 1; returns the largest.
+  /// Density over that round the cloud, less 1; returns the largest, not a number where a cell cannot be.
   double weigh(Backend& backend, Passes& passes, Fields& f, const AirConfig& config,
                const AirAmbient& ambient) const {
     const std::vector<double>& values =
@@ -44,15 +42,15 @@ class AirMotion {
                                 ambient,
                                 config.buoyancy == AirBuoyancy::FogDensity ? 1 : 0,
                                 f.load.data()});
-    double most = 0.0;
-    for (const double v : values) most = std::max(most, v);
-    return most;
+    return largest(values);
   }
 
+  /// Returns the stage in which a number was not finite, or null.
   template <class Book>
-  void step(Backend& backend, Passes& passes, Fields& f, const AirConfig& config, const AirAmbient& ambient,
-            double seconds, const Book& book) {
+  const char* step(Backend& backend, Passes& passes, Fields& f, const AirConfig& config,
+                   const AirAmbient& ambient, double seconds, const Book& book) {
     const double most = weigh(backend, passes, f, config, ambient);
+    if (!std::isfinite(most)) return "weight";
     // Boussinesq's approximation while nothing is a tenth heavier than the air round it.
     const bool heavy = most > 0.1;
     if (heavy || m_heavy || !m_ready) {
@@ -63,25 +61,26 @@ class AirMotion {
     }
     const bool carries = config.stages.advectVelocity;
     if (config.stages.diffuse) mixEddies(backend, passes, f, config, seconds);
-    if (config.reflection && carries && config.stages.project) {
-      reflected(backend, passes, f, config, seconds, book);
-      return;
-    }
+    if (config.reflection && carries && config.stages.project)
+      return reflected(backend, passes, f, config, seconds, book);
     if (carries) {
       carry(backend, passes, f, config, f.u, f.u, f.next, seconds);
       std::swap(f.u, f.next);
     }
     push(backend, passes, f, config, f.u, seconds);
     if (config.stages.diffuse) diffuse(backend, passes, f, config, f.u, seconds);
-    if (config.stages.project) book(project(backend, passes, f, config, f.u, 0));
+    if (config.stages.project && !book(project(backend, passes, f, config, f.u, 0))) return kPressure;
+    return nullptr;
   }
 
  private:
+  static constexpr const char* kPressure = "pressure";
+
   /// Two half steps; what the first projection took is taken once more before the second (Zehnder et al.
   /// 2018), so that it does not cost energy.
   template <class Book>
-  void reflected(Backend& backend, Passes& passes, Fields& f, const AirConfig& config, double seconds,
-                 const Book& book) {
+  const char* reflected(Backend& backend, Passes& passes, Fields& f, const AirConfig& config, double seconds,
+                        const Book& book) {
     const double half = 0.5 * seconds;
     carry(backend, passes, f, config, f.u, f.u, f.next, half);
     push(backend, passes, f, config, f.next, half);
@@ -89,14 +88,14 @@ class AirMotion {
     passes.run(backend, "reflection", f.strides(), f.near,
                CopyPass{{f.next[0].data(), f.next[1].data(), f.next[2].data()},
                         {f.mid[0].data(), f.mid[1].data(), f.mid[2].data()}});
-    book(project(backend, passes, f, config, f.next, 0));
+    if (!book(project(backend, passes, f, config, f.next, 0))) return kPressure;
     passes.run(backend, "reflection", f.strides(), f.faces,
                ReflectPass{{f.next[0].data(), f.next[1].data(), f.next[2].data()},
                            {f.mid[0].data(), f.mid[1].data(), f.mid[2].data()}});
     carry(backend, passes, f, config, f.next, f.mid, f.u, half);
     push(backend, passes, f, config, f.u, half);
     if (config.stages.diffuse) diffuse(backend, passes, f, config, f.u, half);
-    book(project(backend, passes, f, config, f.u, 1));
+    return book(project(backend, passes, f, config, f.u, 1)) ? nullptr : kPressure;
   }
 
   AirSolve project(Backend& backend, Passes& passes, Fields& f, const AirConfig& config,
@@ -170,7 +169,9 @@ class AirMotion {
     ghosts<2>(backend, passes, f, f.u[2]);
     const double share = config.smagorinsky * config.smagorinsky * seconds / config.cell;
     passes.run(backend, "eddies", f.strides(), f.near,
-               StrainPass{f.strides(), {f.u[0].data(), f.u[1].data(), f.u[2].data()}, f.hat.data(),
+               StrainPass{f.strides(),
+                          {f.u[0].data(), f.u[1].data(), f.u[2].data()},
+                          f.hat.data(),
                           static_cast<float>(share)});
     mixAxis<0>(backend, passes, f);
     mixAxis<1>(backend, passes, f);
@@ -194,6 +195,12 @@ class AirMotion {
     diffuseAxis<2>(backend, passes, f, config, u[2], share);
   }
 
+  /// What is not a number stays.
+  static double largest(const std::vector<double>& values) {
+    double most = 0.0;
+    for (const double v : values) most = v > most || std::isnan(v) ? v : most;
+    return most;
+  }
   static double total(const std::vector<double>& values) {
     double sum = 0.0;
     for (const double v : values) sum += v;

@@ -162,9 +162,11 @@ class AirSolver {
   /// The cells that take in what is added at the places: those that hold them or, where that is solid, the
   /// lowest open one of the two above. Bricks come to be where needed.
   virtual Result<std::vector<AirCellNow>> cellsAt(const std::vector<Vec3d>& places) = 0;
-  /// Goes on by `seconds` (> 0), in sub-steps. Fails with what, where and stage if a value is not finite.
+  /// Goes on by `seconds` (> 0), in sub-steps. Fails with what, where and stage if a value is not finite, and
+  /// where air is colder or faster than any can be; so do add() and drag().
   virtual Result<AirStep> step(double seconds) = 0;
-  /// Replaces solids that move (the same number in the same order as in the configuration).
+  /// Replaces solids that move (the same number in the same order as in the configuration). What cells hold
+  /// stays in them or goes on to those beside; what is enclosed by solids is booked as given up.
   virtual Status moveSolids(const std::vector<AirSolid>& solids) = 0;
   virtual std::vector<AirDeposit> takeDeposits() = 0;
   virtual AirBudget budget() const = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "core/air/air_fields.h"
 #include "core/air/air_host.h"
 #include "core/air/air_motion.h"
+#include "core/air/air_recut.h"
 #include "core/air/air_transport.h"
 
 namespace spin {
@@ -41,13 +43,13 @@ class AirSolverOn final : public AirSolver {
   Status add(const std::vector<AirSource>& sources) override {
     std::vector<Vec3d> places;
     for (const AirSource& s : sources) {
-      if (!isFinite(s.impulse)) return foreignNumber("a source");
+      const double sum = std::accumulate(s.amounts.begin(), s.amounts.end(), 0.0);
+      if (!isFinite(s.impulse) || !std::isfinite(sum)) return foreignNumber("a source");
       places.push_back(s.position);
     }
     if (Status ok = reach(places); !ok) return ok;
     const SourceLists lists = listSources(m_config, m_fields.window(), m_fields.solids(), sources, m_budget);
-    addLists(lists);
-    return {};
+    return addLists(lists);
   }
 
   Status drag(std::vector<AirDrag>& particles, double seconds) override {
@@ -70,8 +72,7 @@ class AirSolverOn final : public AirSolver {
     for (std::size_t c = 0; c < cells.index.size(); ++c)
       addImpulse(m_fields.window(), m_fields.solids(), cells.cell[c], impulses[c], 0.0, lists, m_budget);
     mergeFaces(lists);
-    addLists(lists);
-    return {};
+    return addLists(lists);
   }
 
   std::vector<Vec3d> velocities(const std::vector<Vec3d>& places) const override {
@@ -125,7 +126,7 @@ class AirSolverOn final : public AirSolver {
       if (Status ok = followCloud(); !ok) return ok.error();
       if (m_fields.window().keys().empty()) break;
       const double fastest = m_motion.fastest(m_backend, m_passes, m_fields);
-      if (!std::isfinite(fastest)) return notFinite("velocity");
+      if (!(fastest < kMostSpeed)) return broken("step");
       done.fastest = std::max(done.fastest, fastest);
       const double most = m_config.mostCourant * m_config.cell / std::max(fastest, 1e-6);
       const double part = left / std::ceil(std::max(1.0, left / most * (1.0 - 1e-9)));
@@ -134,6 +135,8 @@ class AirSolverOn final : public AirSolver {
       ++done.subSteps;
       done.cells += m_fields.window().keys().size() * kBrickCells;
     }
+    // Else the phase change has seen to that.
+    if (!changesPhase() && !m_fields.window().keys().empty() && !weigh()) return broken("step");
     return done;
   }
 
@@ -142,7 +145,10 @@ class AirSolverOn final : public AirSolver {
       return Error{ErrorKind::BadInput, "The air stopped", "air", "the number of solids changed",
                    "Report this"};
     m_config.solids = solids;
-    m_fields.recutMoving(m_backend, m_config);
+    const BricksBefore before = m_fields.recutMoving(m_config);
+    if (before.empty()) return {};
+    keepContents(planRecut(m_fields.window(), m_fields.solids(), before));
+    m_fields.writeSolids(m_backend, m_config);
     m_motion.rebuild(m_backend, m_fields);
     return {};
   }
@@ -206,10 +212,17 @@ class AirSolverOn final : public AirSolver {
     return saturatedVapour(temperature, growth);
   }
 
-  Error notFinite(const char* what) const {
-    return Error{ErrorKind::Failed, "The air stopped", "air", std::string("a ") + what + " is not finite",
+  /// What is wrong, where, and the stage that found it.
+  Error broken(const char* stage) const {
+    return Error{ErrorKind::Failed, "The air stopped", "air",
+                 firstBroken(m_config, m_fields.window(), m_fields.solids(), hostFields()) +
+                     ", found in stage '" + stage + "'",
                  "Use shorter frames or smaller cells"};
   }
+
+  bool changesPhase() const { return m_config.evaporates && m_config.stages.forces; }
+  /// False where a cell's state is none.
+  bool weigh() { return std::isfinite(m_motion.weigh(m_backend, m_passes, m_fields, m_config, m_ambient)); }
 
   static Error foreignNumber(const char* what) {
     return {ErrorKind::BadInput, "The air stopped", "air", std::string(what) + " is not finite",
@@ -258,7 +271,7 @@ class AirSolverOn final : public AirSolver {
     if (m_config.everywhere || m_fields.window().keys().empty()) return {};
     const std::vector<double> activity = m_transport.activity(m_backend, m_passes, m_fields, m_config);
     for (const double a : activity)
-      if (!std::isfinite(a)) return notFinite("value");
+      if (!std::isfinite(a)) return broken("bricks");
     return useBricks(bricksRound(m_config, m_fields.window(), activity));
   }
 
@@ -268,17 +281,19 @@ class AirSolverOn final : public AirSolver {
       done.iterations += solve.iterations;
       done.residual = std::max(done.residual, solve.residual);
       done.reached = done.reached && solve.reached;
+      return std::isfinite(solve.residual);
     };
-    m_motion.step(m_backend, m_passes, m_fields, m_config, m_ambient, seconds, book);
-    if (!std::isfinite(done.residual)) return notFinite("pressure");
-    if (m_config.stages.advectScalars)
-      m_transport.step(m_backend, m_passes, m_fields, m_config, seconds, m_budget);
-    if (m_config.evaporates && m_config.stages.forces)
-      m_transport.condense(m_backend, m_passes, m_fields, m_config, m_ambient, m_budget);
+    const char* stage = m_motion.step(m_backend, m_passes, m_fields, m_config, m_ambient, seconds, book);
+    if (stage) return broken(stage);
+    if (m_config.stages.advectScalars &&
+        !m_transport.step(m_backend, m_passes, m_fields, m_config, seconds, m_budget))
+      return broken("carry scalars");
+    if (changesPhase() && !m_transport.condense(m_backend, m_passes, m_fields, m_config, m_ambient, m_budget))
+      return broken("phase change");
     return {};
   }
 
-  void addLists(const SourceLists& lists) {
+  Status addLists(const SourceLists& lists) {
     const auto addTo = [&](Field& field, const std::vector<std::uint32_t>& index,
                            const std::vector<float>& values) {
       if (index.empty()) return;
@@ -287,7 +302,8 @@ class AirSolverOn final : public AirSolver {
       m_backend.forEach("exchange", index.size(), ListedAdd{field.data(), m_index.data(), m_values.data()});
     };
     for (std::size_t a = 0; a < kAirScalars; ++a) addTo(m_fields.q[a], lists.cells, lists.amounts[a]);
-    m_motion.weigh(m_backend, m_passes, m_fields, m_config, m_ambient);
+    if (m_fields.window().keys().empty()) return {};
+    if (!weigh()) return broken("exchange");
     const float unit =
         1.0f / (m_ambient.density * static_cast<float>(m_config.cell * m_config.cell * m_config.cell));
     for (std::size_t a = 0; a < 3; ++a) {
@@ -295,13 +311,27 @@ class AirSolverOn final : public AirSolver {
       m_backend.upload(lists.faces[a], m_index);
       m_backend.upload(lists.impulses[a], m_values);
       m_backend.upload(lists.masses[a], m_masses);
-      m_backend.forEach(
-          "exchange", lists.faces[a].size(),
-          ListedPush{m_fields.u[a].data(), m_fields.load.data(), m_index.data(), m_values.data(),
-                     m_masses.data(), a == 0   ? 1
-                     : a == 1 ? m_fields.strides().y
-                              : m_fields.strides().z,
-                     unit});
+      m_backend.forEach("exchange", lists.faces[a].size(),
+                        ListedPush{m_fields.u[a].data(), m_fields.load.data(), m_index.data(),
+                                   m_values.data(), m_masses.data(),
+                                   a == 0   ? 1
+                                   : a == 1 ? m_fields.strides().y
+                                            : m_fields.strides().z,
+                                   unit});
+    }
+    return {};
+  }
+
+  /// What the cells hold when their volumes change; what has no cell to go to is booked.
+  void keepContents(const RecutPlan& plan) {
+    if (plan.index.empty()) return;
+    const double volume = m_config.cell * m_config.cell * m_config.cell;
+    for (std::size_t a = 0; a < kAirScalars; ++a) {
+      std::vector<float> values = gather(plan.index, m_fields.q[a], 0);
+      m_budget.givenUp[a] += volume * applyRecut(plan, a == std::size_t{2}, values);
+      m_backend.upload(values, m_values);
+      m_backend.forEach("exchange", values.size(),
+                        ListedWrite{m_fields.q[a].data(), m_index.data(), m_values.data()});
     }
   }
 
@@ -347,6 +377,7 @@ class AirSolverOn final : public AirSolver {
     }
     for (std::size_t a = 0; a < kAirScalars; ++a) field(3 + a, m_fields.q[a]);
     for (std::size_t a = 0; a < 2; ++a) field(3 + kAirScalars + a, m_fields.pressure[a]);
+    m_fields.takeVolumes(m_backend, m_config, state.values.data() + (kAirFields - 1) * size);
     unpackUpper(state);
   }
 

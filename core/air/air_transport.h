@@ -40,20 +40,23 @@ class AirTransport {
     for (std::size_t a = 0; a < 3; ++a) {
       pass.u[a] = f.u[a].data();
       pass.area[a] = f.area[a].data();
-      pass.wind[a] = f.wind[a].data();
+      pass.wind[a] = f.windAt(a);
     }
     pass.open = f.open.data();
     pass.leastSpeed = static_cast<float>(config.leastSpeed);
     return passes.results(backend, "bricks", f.strides(), f.active, pass);
   }
 
-  void step(Backend& backend, Passes& passes, Fields& f, const AirConfig& config, double seconds,
+  /// False where a speed is too high for steps to be counted, or none.
+  bool step(Backend& backend, Passes& passes, Fields& f, const AirConfig& config, double seconds,
             AirBudget& budget) {
+    constexpr double kMostParts = 1e6;
     const std::array<double, kAirScalars> settling{config.settling[0], config.settling[1], 0.0, 0.0};
     for (std::size_t a = 0; a < kAirScalars; ++a) {
       // What is nowhere need not be carried.
       if (!holdsAny(backend, passes, f, a)) continue;
       const double out = mostOutflow(backend, passes, f, seconds / config.cell, settling[a]);
+      if (!(out < kMostParts)) return false;
       const int parts = std::max(1, static_cast<int>(std::ceil(out)));
       for (int k = 0; k < parts; ++k) {
         m_forward = !m_forward;
@@ -62,21 +65,25 @@ class AirTransport {
           settle(backend, passes, f, config, a, seconds / parts, settling[a], budget);
       }
     }
+    return true;
   }
 
   /// Order of the axes in the latest carrying; it turns each time.
   bool forward() const { return m_forward; }
   void setForward(bool forward) { m_forward = forward; }
 
-  void condense(Backend& backend, Passes& passes, Fields& f, const AirConfig& config,
+  /// False where a cell's state is none afterwards.
+  bool condense(Backend& backend, Passes& passes, Fields& f, const AirConfig& config,
                 const AirAmbient& ambient, AirBudget& budget) {
     const double condensed =
         volumeOf(config) * total(passes.results(backend, "phase change", f.strides(), f.active,
                                                 CondensePass{f.volume.data(), f.open.data(), f.q[0].data(),
                                                              f.q[2].data(), f.q[3].data(), ambient}));
+    if (!std::isfinite(condensed)) return false;
     budget.condensed[0] += condensed;
     budget.condensed[3] -= condensed;
     budget.condensed[2] += condensed * kEvaporationHeat / kDryAirHeat / static_cast<double>(ambient.density);
+    return true;
   }
 
  private:
@@ -104,7 +111,7 @@ class AirTransport {
                                    static_cast<float>(cells),
                                    static_cast<float>(settling)});
     double most = 0.0;
-    for (const double v : values) most = std::max(most, v);
+    for (const double v : values) most = v > most || std::isnan(v) ? v : most;
     return most;
   }
 

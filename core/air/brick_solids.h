@@ -21,6 +21,8 @@ struct BrickSolids {
   std::array<float, kBrickCells> flux;  ///< net outflow by the solids' own motion, of a cell's face times m/s
   bool open = true;                     ///< all shares are 1
   bool moves = false;                   ///< a moving solid may be in it
+
+  friend bool operator==(const BrickSolids&, const BrickSolids&) = default;
 };
 
 /// Shares of faces from the distances at their corners, of cells from those of their faces.

@@ -4,8 +4,8 @@
 
 #include "core/air/velocity_passes.h"
 
-/// Eddies smaller than a cell: they mix what the grid resolves, as a viscosity (C h)^2 |S| (Smagorinsky 1963).
-/// Without it what falling water gives to the air would pile up at the size of the cells.
+/// Eddies smaller than a cell: they mix what the grid resolves, as a viscosity (C h)^2 |S| (Smagorinsky
+/// 1963). Without it what falling water gives to the air would pile up at the size of the cells.
 namespace spin {
 
 /// What neighbours share at most, so that the explicit step is stable.

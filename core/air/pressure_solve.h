@@ -17,7 +17,7 @@ namespace spin {
 /// How a projection went.
 struct AirSolve {
   int iterations = 0;
-  double residual = 0.0;  ///< over the right side, root mean squares
+  double residual = 0.0;  ///< over the right side, root mean squares; not finite: nothing was solved
   bool reached = true;
 };
 
@@ -84,8 +84,10 @@ class PressureSolve {
                                                                 solidFlux,
                                                                 finest.inverse.data(),
                                                                 finest.b.data()}));
-    emptyPockets(backend, finest.b.data());
     AirSolve solve;
+    // Before the solution carries it everywhere.
+    if (!std::isfinite(right)) return {0, right, false};
+    emptyPockets(backend, finest.b.data());
     if (config.solver == AirPressure::Multigrid)
       solve = gradients(backend, passes, config, right, pressure);
     else
@@ -203,7 +205,7 @@ class PressureSolve {
                                               static_cast<float>(now / product)}));
       ++solve.iterations;
     }
-    solve.residual = right > 0.0 ? std::sqrt(left / right) : 0.0;
+    solve.residual = residualOf(left, right);
     solve.reached = left <= enough || left <= 1e-30;
     return solve;
   }
@@ -260,9 +262,14 @@ class PressureSolve {
     }
     const double left = total(
         passes.results(backend, "pressure", v.strides, f.active, ResidualPass{v, p, f.b.data(), f.r.data()}));
-    solve.residual = right > 0.0 ? std::sqrt(left / right) : 0.0;
+    solve.residual = residualOf(left, right);
     solve.reached = solve.residual <= config.tolerance;
     return solve;
+  }
+
+  /// Not finite where what is left is not.
+  static double residualOf(double left, double right) {
+    return std::isfinite(left) ? (right > 0.0 ? std::sqrt(left / right) : 0.0) : left;
   }
 
   void copy(Backend& backend, AirPasses<Backend>& passes, Level& level, const float* from, float* to) {

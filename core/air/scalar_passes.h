@@ -155,7 +155,7 @@ struct LargestPass {
 };
 
 /// Largest of values over their leasts and of the speed against the wind over its own: below 1 a cell is as
-/// good as empty.
+/// good as empty. Not finite where one of them is not.
 struct ActivityPass {
   static constexpr AirResult kResult = AirResult::Most;
   AirStrides strides;
@@ -163,20 +163,27 @@ struct ActivityPass {
   const float* u[3];
   const float* area[3];
   const float* open;
-  const float* wind[3];  ///< by brick, m/s
+  const float* wind[3];  ///< m/s; null: calm
   float least[4];
   float leastSpeed;
 
   template <class At>
   SPIN_HD_INLINE typename At::Real operator()(const At& at) const {
     using Real = typename At::Real;
-    Real most = lit<Real>(0.0);
-    for (int k = 0; k < 4; ++k) most = maximum(most, magnitude(at.load(q[k])) * Real(1.0f / least[k]));
-    for (int k = 0; k < 3; ++k) {
-      const Real apart = magnitude(at.load(u[k]) - Real(wind[k][at.brick])) * positive(at.load(area[k]));
-      most = maximum(most, apart * Real(1.0f / leastSpeed));
+    const Real zero = lit<Real>(0.0);
+    Real most = zero, broken = zero;
+    for (int k = 0; k < 4; ++k) {
+      const Real own = at.load(q[k]);
+      most = maximum(most, magnitude(own) * Real(1.0f / least[k]));
+      broken = mulAdd(zero, own, broken);
     }
-    return most * at.load(open);
+    for (int k = 0; k < 3; ++k) {
+      Real apart = at.load(u[k]);
+      if (wind[k]) apart = apart - at.load(wind[k]);
+      most = maximum(most, magnitude(apart) * positive(at.load(area[k])) * Real(1.0f / leastSpeed));
+      broken = mulAdd(zero, apart, broken);
+    }
+    return mulAdd(most, at.load(open), broken);
   }
 
  private:

@@ -116,8 +116,8 @@ struct CarryCubicPass {
 };
 
 /// Of a face that is open less than this the velocity may be many times that of the air beside it, so that
-/// the flux is right. It must not be carried into cells that hold many times the air: momentum would come from
-/// nowhere.
+/// the flux is right. It must not be carried into cells that hold many times the air: momentum would come
+/// from nowhere.
 inline constexpr double kThinFace = 0.25;
 
 /// Gives closed faces beside open ones a velocity to interpolate with: that of the open ones where the air
@@ -188,7 +188,7 @@ struct CopyOnePass {
   }
 };
 
-/// Largest of |u|, |v|, |w|; thin faces count less.
+/// Largest of |u|, |v|, |w|; thin faces count less. Not finite where one of them is not.
 struct FastestPass {
   static constexpr AirResult kResult = AirResult::Most;
   const float* u[3];
@@ -198,13 +198,14 @@ struct FastestPass {
   SPIN_HD_INLINE typename At::Real operator()(const At& at) const {
     using Real = typename At::Real;
     const Real zero = lit<Real>(0.0);
-    Real most = zero;
+    Real most = zero, broken = zero;
     for (int k = 0; k < 3; ++k) {
       const Real counts = clampBetween(at.load(area[k]) * lit<Real>(1.0 / kThinFace), zero, lit<Real>(1.0));
       const Real value = at.load(u[k]) * counts;
       most = maximum(most, maximum(value, -value));
+      broken = mulAdd(zero, value, broken);
     }
-    return most;
+    return most + broken;
   }
 };
 

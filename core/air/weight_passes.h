@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+
 #include "core/air/velocity_passes.h"
 #include "core/physics/humid_air.h"
 
@@ -15,6 +17,9 @@ struct AirAmbient {
   float vapour;       ///< kg/m3
   float density;      ///< kg/m3
 };
+
+/// No air is colder, K; the laws of humid air end there.
+inline constexpr double kLeastTemperature = 50.0;
 
 /// Density of humid air at a density of its vapour, kg/m3; K, Pa.
 template <class Real>
@@ -33,7 +38,8 @@ SPIN_HD_INLINE Real saturatedVapour(Real temperature, Real& growth) {
   return density;
 }
 
-/// Density of the mixture over that round the cloud, less 1; the largest magnitude.
+/// Density of the mixture over that round the cloud, less 1; the largest magnitude. Not a number where the
+/// air is too cold to be or weighs nothing.
 struct LoadPass {
   static constexpr AirResult kResult = AirResult::Most;
   const float* q[4];  ///< mist, snow, warmth, vapour
@@ -57,7 +63,9 @@ struct LoadPass {
     }
     const Real load1 = ratio - one;
     at.store(load1, load);
-    return maximum(load1, -load1);
+    const Real broken = lit<Real>(NAN), weighs = selectLess(lit<Real>(0.0), ratio, load1, broken);
+    const Real held = selectLess(temperature, lit<Real>(kLeastTemperature), broken, weighs);
+    return maximum(held, -held);
   }
 };
 
@@ -88,7 +96,7 @@ struct BuoyancyPass {
 };
 
 /// Mist and vapour seek saturation, with the heat that it takes (at constant pressure, Newton's method); the
-/// sum is what condensed.
+/// sum is what condensed, not a number where a cell's state is none afterwards.
 struct CondensePass {
   static constexpr AirResult kResult = AirResult::Sum;
   const float *volume, *open;
@@ -109,10 +117,14 @@ struct CondensePass {
       gained = maximum(gained, -m);
     }
     gained = gained * at.load(open);
-    at.store(m + gained, mist);
-    at.store(at.load(vapour) - gained, vapour);
-    at.store(mulAdd(heat, gained, at.load(warmth)), warmth);
-    return gained * at.load(volume);
+    const Real wet = m + gained, left = at.load(vapour) - gained,
+               warmer = mulAdd(heat, gained, at.load(warmth));
+    at.store(wet, mist);
+    at.store(left, vapour);
+    at.store(warmer, warmth);
+    const Real whole = mulAdd(lit<Real>(0.0), wet + left, gained * at.load(volume));
+    return selectLess(lit<Real>(kLeastTemperature), Real(ambient.temperature) + warmer, whole,
+                      lit<Real>(NAN));
   }
 };
 

@@ -280,6 +280,47 @@ TEST(AirHard, GoesOnFromAStateBitForBit) {
   EXPECT_EQ(a.budget.deposited, b.budget.deposited);
 }
 
+TEST(AirHard, GoesOnBitForBitWhileBricksGo) {
+  // Puffs that rise apart, so that bricks beside the cloud come and go again.
+  AirConfig c = valley();
+  c.cell = 1.0;
+  c.highBrick = {4, 16, 16};
+  c.temperature = 285.0, c.humidity = 0.6;
+  c.wind = [](Vec3d p) { return Vec3d{1.5 + 0.02 * p.z, 0.5, 0.0}; };
+  c.leastSpeed = 0.6, c.least = {1e-4, 1e-4, 0.5, 1e-3};
+  c.solids = {{[](Vec3d p) { return 0.96 * (p.z - 0.3 * p.x); }, {}}};
+  const Solver whole = make(c), again = make(c);
+  std::size_t gone = 0;
+  for (int k = 0; k < 60; ++k) {
+    const double turn = 0.7 * k;
+    const Vec3d place{12 + 6 * std::cos(turn), 30 + 8 * std::sin(turn), 26 + 6 * std::sin(1.7 * turn)};
+    if (k < 25) {
+      ASSERT_TRUE(whole->add({{place, {0.3, 0, 30, 0}, {0, 3, 8}}}).ok());
+    }
+    const std::size_t cells = whole->cells();
+    const AirState before = whole->state();
+    ASSERT_TRUE(whole->step(0.25).ok());
+    static_cast<void>(whole->takeDeposits());
+    gone += whole->cells() < cells;
+    if (k % 3 != 2) continue;
+    ASSERT_TRUE(again->restore(before).ok());
+    ASSERT_TRUE(again->step(0.25).ok());
+    static_cast<void>(again->takeDeposits());
+    EXPECT_EQ(again->state().values, whole->state().values) << k;
+    EXPECT_EQ(again->state().upper, whole->state().upper) << k;
+  }
+  EXPECT_GT(gone, 3u);
+}
+
+TEST(AirHard, WindThatGrowsWithHeightIsNoReasonToComputeTheAir) {
+  AirConfig c = valley();
+  c.wind = [](Vec3d p) { return Vec3d{0.5 * p.z, 0.0, 0.0}; };
+  const Solver solver = make(c);
+  ASSERT_TRUE(solver->add(puff({8, 12, 3}, 1.0, {1e-4, 0, 0, 0})).ok());
+  for (int k = 0; k < 20; ++k) ASSERT_TRUE(solver->step(0.1).ok());
+  EXPECT_LT(solver->cells(), 4u * 12u * 12u * kBrickCells / 3) << "the cloud lies near the ground";
+}
+
 TEST(AirHard, DragKeepsMomentumAndStaysStable) {
   AirConfig c = valley();
   c.everywhere = true;
@@ -305,6 +346,44 @@ TEST(AirHard, DragKeepsMomentumAndStaysStable) {
   const std::size_t cells = s.bricks.size() * kBrickCells;
   for (std::size_t k = 2 * cells; k < 3 * cells; ++k) z += static_cast<double>(s.values[k]) * density * cell;
   EXPECT_NEAR(z, b.addedImpulse.z, 0.01 * std::abs(b.addedImpulse.z));
+}
+
+/// What the solver says, of a state in which one number has been changed.
+std::string saidOf(AirConfig config, std::size_t field, float value, bool everywhere) {
+  config.everywhere = everywhere;
+  const Solver solver = make(config);
+  EXPECT_TRUE(solver->add(puff({8, 10, 6}, 2.0, {1e-3, 1e-3, 1e-3, 0})).ok());
+  AirState s = solver->state();
+  std::size_t brick = 0;
+  while (s.bricks[brick] != std::array<std::int32_t, 3>{1, 5, 3}) ++brick;
+  s.values[(field * s.bricks.size() + brick) * kBrickCells + 37] = value;
+  EXPECT_TRUE(solver->restore(s).ok());
+  const auto done = solver->step(0.1);
+  return done ? "fine" : done.error().text();
+}
+
+TEST(AirHard, SaysWhatIsWrongAndWhere) {
+  const AirConfig c = valley();
+  // Cell (5, 2, 0) of the brick.
+  const std::string place = "(10.75, 11.25, 6.25) m";
+  for (const bool everywhere : {false, true}) {
+    EXPECT_EQ(saidOf(c, 5, 1.0f, everywhere), "fine");
+    for (const float warmth : {-273.15f, -400.0f, -230.0f}) {
+      const std::string said = saidOf(c, 5, warmth, everywhere);
+      EXPECT_NE(said.find(" K at " + place), std::string::npos) << said;
+      EXPECT_NE(said.find("stage 'weight'"), std::string::npos) << said;
+    }
+    EXPECT_NE(saidOf(c, 3, -5.0f, everywhere).find("weighs nothing at " + place), std::string::npos);
+    EXPECT_NE(saidOf(c, 1, 1e38f, everywhere).find("along y is 1e+38 m/s at " + place), std::string::npos);
+  }
+  AirConfig dry = c;
+  dry.evaporates = false;
+  EXPECT_NE(saidOf(dry, 5, -400.0f, true), "fine");
+  const Solver solver = make(c);
+  EXPECT_FALSE(solver->add({{{8, 10, 6}, {0, 0, NAN, 0}, {}}}).ok());
+  const Status cold = solver->add({{{8, 10, 6}, {0, 0, -300.0 * 0.125, 0}, {}}});
+  ASSERT_FALSE(cold.ok());
+  EXPECT_NE(cold.error().text().find("stage 'exchange'"), std::string::npos) << cold.error().text();
 }
 
 TEST(AirHard, RefusesWhatCannotBe) {
