@@ -88,7 +88,7 @@ class AirFields {
   std::array<Field, 2> down;               ///< what mist and snow came down since it was asked
   std::array<Field, 3> wind;               ///< of the air round the cloud; only where there is any
   Array<AirBrick> active, faces, near;
-  Array<AirBrick> cut;  ///< those of near that are not all open
+  Array<AirBrick> walled;  ///< those of near that are not all open
 
   const AirWindow& window() const { return m_window; }
   const std::vector<BrickSolids>& solids() const { return m_solids; }
@@ -176,7 +176,7 @@ class AirFields {
     open.reset(backend, m_window.cells(), strides());
     backend.forEach("bricks", m_window.keys().size() * kBrickCells,
                     OpenKernel{active.data(), volume.data(), open.data(), strides()});
-    backend.upload(cutBricks, cut);
+    backend.upload(cutBricks, walled);
     if (m_sticky) writeSticking(backend, config, first);
   }
 

@@ -108,8 +108,8 @@ class AirMotion {
 
   template <int axis>
   void ghosts(Backend& backend, Passes& passes, Fields& f, Field& u) {
-    if (f.cut.size() == 0) return;
-    passes.run(backend, "walls", f.strides(), f.cut,
+    if (f.walled.size() == 0) return;
+    passes.run(backend, "walls", f.strides(), f.walled,
                GhostPass<axis>{f.strides(), f.area[axis].data(), f.sticky() ? f.sticks.data() : nullptr,
                                f.sticky() ? f.wall[axis].data() : nullptr, u.data()});
   }
