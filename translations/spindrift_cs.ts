@@ -2501,10 +2501,6 @@
         <translation>Vírová viskozita</translation>
     </message>
     <message>
-        <source>Mixing by eddies that are smaller than a cell.</source>
-        <translation>Promíchávání víry menšími než buňka.</translation>
-    </message>
-    <message>
         <source>Mist evaporates</source>
         <translation>Mlha se vypařuje</translation>
     </message>
@@ -2629,10 +2625,6 @@
         <translation>Životnost tříště</translation>
     </message>
     <message>
-        <source>Time in which flying drops and clumps fray into mist or powder, to 37 %.</source>
-        <translation>Doba, za kterou se letící kapky a hroudy rozpadnou na mlhu či prach až na 37 %.</translation>
-    </message>
-    <message>
         <source>Spray rate</source>
         <translation>Rychlost tvorby tříště</translation>
     </message>
@@ -2711,6 +2703,38 @@
     <message>
         <source>Speed against the air from which the surface of snow is whirled up and impacts throw up powder; all of it at three times that speed.</source>
         <translation>Rychlost vůči vzduchu, od které se povrch sněhu víří a nárazy vrhají prach; naplno při jejím trojnásobku.</translation>
+    </message>
+    <message>
+        <source>Small eddies</source>
+        <translation>Malé víry</translation>
+    </message>
+    <message>
+        <source>Mixing by eddies that are smaller than a cell, by how fast the air shears: Smagorinsky&apos;s constant, 0.1 to 0.2; 0 leaves it out.</source>
+        <translation>Promíchávání víry menšími než buňka podle toho, jak rychle se vzduch střihá: Smagorinského konstanta, 0,1 až 0,2; 0 ho vynechá.</translation>
+    </message>
+    <message>
+        <source>The same mixing everywhere, whatever the air does.</source>
+        <translation>Totéž promíchávání všude, ať vzduch dělá cokoli.</translation>
+    </message>
+    <message>
+        <source>Lumps</source>
+        <translation>Shluky vody</translation>
+    </message>
+    <message>
+        <source>Diameter of the lumps of water that leave the flow, if that is less than its spacing; the air tears them to drops.</source>
+        <translation>Průměr shluků vody, které opouštějí proud, je-li menší než jeho rozestup; vzduch je trhá na kapky.</translation>
+    </message>
+    <message>
+        <source>Time in which flying drops fray into mist, to 37 %; larger ones take longer.</source>
+        <translation>Doba, za kterou se letící kapky rozpadnou na mlhu až na 37 %; větším to trvá déle.</translation>
+    </message>
+    <message>
+        <source>Life of clumps</source>
+        <translation>Život hrud</translation>
+    </message>
+    <message>
+        <source>Time in which flying clumps of snow fray into powder, to 37 %.</source>
+        <translation>Doba, za kterou se letící hroudy sněhu rozpadnou na prach až na 37 %.</translation>
     </message>
 </context>
 <context>

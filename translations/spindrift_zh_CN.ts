@@ -2501,10 +2501,6 @@
         <translation>涡粘性</translation>
     </message>
     <message>
-        <source>Mixing by eddies that are smaller than a cell.</source>
-        <translation>小于单元的涡旋引起的混合。</translation>
-    </message>
-    <message>
         <source>Mist evaporates</source>
         <translation>水雾蒸发</translation>
     </message>
@@ -2629,10 +2625,6 @@
         <translation>水花寿命</translation>
     </message>
     <message>
-        <source>Time in which flying drops and clumps fray into mist or powder, to 37 %.</source>
-        <translation>飞行的液滴和雪团散成水雾或粉雪、仅余 37 % 所需的时间。</translation>
-    </message>
-    <message>
         <source>Spray rate</source>
         <translation>水花速率</translation>
     </message>
@@ -2711,6 +2703,38 @@
     <message>
         <source>Speed against the air from which the surface of snow is whirled up and impacts throw up powder; all of it at three times that speed.</source>
         <translation>雪面开始扬起、撞击开始扬起粉雪的相对空气速度；达到其三倍时全部生效。</translation>
+    </message>
+    <message>
+        <source>Small eddies</source>
+        <translation>小涡旋</translation>
+    </message>
+    <message>
+        <source>Mixing by eddies that are smaller than a cell, by how fast the air shears: Smagorinsky&apos;s constant, 0.1 to 0.2; 0 leaves it out.</source>
+        <translation>小于单元的涡旋按空气剪切快慢引起的混合：Smagorinsky 常数，0.1 至 0.2；0 表示不计。</translation>
+    </message>
+    <message>
+        <source>The same mixing everywhere, whatever the air does.</source>
+        <translation>无论空气如何运动，各处相同的混合。</translation>
+    </message>
+    <message>
+        <source>Lumps</source>
+        <translation>水团</translation>
+    </message>
+    <message>
+        <source>Diameter of the lumps of water that leave the flow, if that is less than its spacing; the air tears them to drops.</source>
+        <translation>离开水流的水团的直径（小于粒子间距时）；空气把它们撕成液滴。</translation>
+    </message>
+    <message>
+        <source>Time in which flying drops fray into mist, to 37 %; larger ones take longer.</source>
+        <translation>飞行的液滴散成水雾、仅余 37 % 所需的时间；大的更久。</translation>
+    </message>
+    <message>
+        <source>Life of clumps</source>
+        <translation>雪团寿命</translation>
+    </message>
+    <message>
+        <source>Time in which flying clumps of snow fray into powder, to 37 %.</source>
+        <translation>飞行的雪团散成粉雪、仅余 37 % 所需的时间。</translation>
     </message>
 </context>
 <context>

@@ -103,8 +103,8 @@ SPIN_HD_INLINE typename At::Real atFace(const VelocityView& v, const At& at, int
          (at.load(v.u[k]) + at.load(v.u[k], along) + at.load(v.u[k], back) + at.load(v.u[k], along + back));
 }
 
-/// Which neighbours along a dimension a value less than half a cell (Up, Down) or a cell (Three) from a face is
-/// between, for component k at a lower face along `axis`.
+/// Which neighbours along a dimension a value less than half a cell (Up, Down) or a cell (Three) from a face
+/// is between, for component k at a lower face along `axis`.
 enum class AirReach { Three, Up, Down };
 constexpr AirReach reachOf(int k, int axis, int dimension) {
   return k == axis           ? AirReach::Three
@@ -149,7 +149,8 @@ template <int k, int axis, class At, class Load>
 SPIN_HD_INLINE auto nearBy(const LatticePlace<typename At::Real>& d, const AirStrides& s, const Load& load) {
   return along<reachOf(k, axis, 2)>(d.z, [&](int z) SPIN_INLINE_LAMBDA {
     return along<reachOf(k, axis, 1)>(d.y, [&](int y) SPIN_INLINE_LAMBDA {
-      return along<reachOf(k, axis, 0)>(d.x, [&](int x) SPIN_INLINE_LAMBDA { return load(x + y * s.y + z * s.z); });
+      return along<reachOf(k, axis, 0)>(
+          d.x, [&](int x) SPIN_INLINE_LAMBDA { return load(x + y * s.y + z * s.z); });
     });
   });
 }
@@ -177,7 +178,8 @@ template <int k, int axis, class At>
 SPIN_HD_INLINE typename At::Real displaced(const VelocityView& v, const float* field, const At& at,
                                            const LatticePlace<typename At::Real>& d, bool isNear) {
   if (isNear)
-    return nearBy<k, axis, At>(d, v.strides, [&](int offset) SPIN_INLINE_LAMBDA { return at.load(field, offset); });
+    return nearBy<k, axis, At>(d, v.strides,
+                               [&](int offset) SPIN_INLINE_LAMBDA { return at.load(field, offset); });
   return cornersOf<At>(v, k, moved(faceOf<axis>(at), d)).linear(field, v.strides);
 }
 
@@ -192,7 +194,8 @@ SPIN_HD_INLINE HeldValue<typename At::Real> heldAt(const VelocityView& v, const 
       return HeldValue<Real>{own, own, own};
     });
   HeldValue<Real> held;
-  held.value = cornersOf<At>(v, axis, moved(faceOf<axis>(at), d)).linear(field, v.strides, held.least, held.most);
+  held.value =
+      cornersOf<At>(v, axis, moved(faceOf<axis>(at), d)).linear(field, v.strides, held.least, held.most);
   return held;
 }
 

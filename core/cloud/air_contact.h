@@ -26,9 +26,9 @@ struct ContactEffect {
   std::vector<double> vapour;      ///< kg that each contact gave; below 0 it got some
 };
 
-/// Heat and vapour between water of one temperature and the air of the cells that it is in. What has gone into
-/// a cell shares its heat at once; then the air goes towards the water's temperature and its saturation as
-/// exp(-time): neither is ever overshot, however much there is.
+/// Heat and vapour between water of one temperature and the air of the cells that it is in. What has gone
+/// into a cell shares its heat at once; then the air goes towards the water's temperature and its saturation
+/// as exp(-time): neither is ever overshot, however much there is.
 Result<ContactEffect> exchangeHeat(const std::vector<WaterContact>& contacts, AirSolver& grid,
                                    double waterTemperature, const SurroundingAir& air, double seconds);
 

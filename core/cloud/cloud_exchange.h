@@ -54,8 +54,8 @@ class CloudExchange {
   /// A particle of the flow that the air has to do with.
   struct Touched {
     std::size_t sample = 0;
-    Vec3d wind{};      ///< m/s
-    Vec3d velocity{};  ///< m/s, as it becomes
+    Vec3d wind{};          ///< m/s
+    Vec3d velocity{};      ///< m/s, as it becomes
     double stopped = 0.0;  ///< m/s that other things than weight changed its velocity by in this part
     std::int64_t given = 0;
     bool taken = false;
@@ -65,7 +65,9 @@ class CloudExchange {
 
   void look();
   double changeOf(const FlowSample& sample) const;
-  bool isImpact(double change) const { return change > m_part.settings.impactAcceleration * m_part.seconds(); }
+  bool isImpact(double change) const {
+    return change > m_part.settings.impactAcceleration * m_part.seconds();
+  }
   void giveMist();
   void giveMist(Touched& t);
   void leaveFlow();

@@ -27,8 +27,8 @@ void putParticles(const std::vector<FlowParticle>& particles, ByteWriter& out) {
 std::vector<FlowParticle> getParticles(ByteReader& in) {
   std::vector<FlowParticle> particles;
   for (const PackedParticle& p : in.getArray<PackedParticle>())
-    particles.push_back(
-        {p.position, p.velocity, static_cast<std::uint8_t>(std::min(p.material, 255u)), p.id, p.excess, p.given});
+    particles.push_back({p.position, p.velocity, static_cast<std::uint8_t>(std::min(p.material, 255u)), p.id,
+                         p.excess, p.given});
   return particles;
 }
 

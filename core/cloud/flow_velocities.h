@@ -10,8 +10,8 @@
 
 namespace spin {
 
-/// Velocities of the flow's particles when a part of a frame began: what they lost since tells an impact, however
-/// short it was, and pressure that only trembles is none.
+/// Velocities of the flow's particles when a part of a frame began: what they lost since tells an impact,
+/// however short it was, and pressure that only trembles is none.
 class FlowVelocities {
  public:
   void note(const std::vector<FlowSample>& samples) {

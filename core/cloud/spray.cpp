@@ -24,7 +24,8 @@ SprayEnd flyOn(SprayParcel& parcel, double seconds, double film, const SprayWorl
     end = p;
     const double free = world.solids.distance(p);
     // Where the box ends at the ground what falls through it has landed.
-    if (!within(world.box, p)) return free <= 0.0 && p.z < world.box.min.z ? SprayEnd::Landed : SprayEnd::Left;
+    if (!within(world.box, p))
+      return free <= 0.0 && p.z < world.box.min.z ? SprayEnd::Landed : SprayEnd::Left;
     if (free <= 0.0) return SprayEnd::Landed;
     parcel.position = p;
     if (mayRejoin && world.flow->count(p) >= world.dense) return SprayEnd::Rejoins;

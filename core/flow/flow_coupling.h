@@ -24,7 +24,7 @@ struct FlowPart {
 /// Exchange in begin() and loadState(); the flow process calls it after every part of a frame, the last step
 /// of which was sampled.
 struct FlowCoupling {
-  double longest = 1.0 / 24.0;  ///< s of film from one call to the next, at most
+  double longest = 1.0 / 24.0;                    ///< s of film from one call to the next, at most
   std::function<Status(const FlowPart&)> before;  ///< a part begins; may be empty
   std::function<Status(const FlowPart&)> after;
   std::vector<FlowParticle> rejoining;  ///< come into the flow when its next part begins

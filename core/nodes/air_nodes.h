@@ -21,10 +21,10 @@ struct AirNode : NodeData {
   AirPressureSolve solver = AirPressureSolve::Multigrid;
   double tolerance = 1e-3;
   AirLift lift = AirLift::HumidAir;
-  double margin = 20.0;         ///< m, of the air's box round that of the flow
-  double headroom = 20.0;       ///< m, of it above that of the flow
-  double smallEddies = 0.17;    ///< C of eddies smaller than a cell (Smagorinsky 1963; Lilly 1967)
-  double eddyViscosity = 0.0;   ///< m2/s, everywhere
+  double margin = 20.0;        ///< m, of the air's box round that of the flow
+  double headroom = 20.0;      ///< m, of it above that of the flow
+  double smallEddies = 0.17;   ///< C of eddies smaller than a cell (Smagorinsky 1963; Lilly 1967)
+  double eddyViscosity = 0.0;  ///< m2/s, everywhere
   bool evaporates = true;
 
   double mistDiameter = 30e-6;       ///< m, of the droplets of mist
@@ -36,7 +36,7 @@ struct AirNode : NodeData {
   double impactWater = 3e-6;          ///< share of a particle that turns to mist per m/s that an impact takes
   double impactSnow = 4e-3;           ///< the same of snow
   double mistSpeed = 6.0;             ///< m/s
-  double mistRate = 1e-5;            ///< 1/s, share of the surface of water at three times that speed
+  double mistRate = 1e-5;             ///< 1/s, share of the surface of water at three times that speed
   double powderSpeed = 8.0;           ///< m/s
   double powderRate = 0.05;           ///< 1/s, share of the surface of snow at three times that speed
   double mostGiven = 0.5;             ///< share that a particle in the flow gives at most

@@ -61,7 +61,7 @@ struct CloudTest {
   }
   CloudPart part(double seconds) {
     return {settings, film, film + seconds, 1,          *grid,      air.origin, air.cell, surrounding,
-            solids,   box,  config,         flow.get(), &rejoining, &cover,   &before};
+            solids,   box,  config,         flow.get(), &rejoining, &cover,     &before};
   }
   AirStep run(double seconds, bool withFlow = true) {
     CloudPart p = part(seconds);

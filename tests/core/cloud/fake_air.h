@@ -172,8 +172,8 @@ class FakeAir final : public AirSolver {
   double airMass() const { return 1.3 * m_config.cell * m_config.cell * m_config.cell; }
   /// After the mass that came with it.
   void push(Cell& c, Vec3d impulse, double mass) {
-    const Vec3d change =
-        (impulse - velocityOf(c) * mass) * (1.0 / (airMass() + static_cast<double>(c.amounts[0] + c.amounts[1])));
+    const Vec3d change = (impulse - velocityOf(c) * mass) *
+                         (1.0 / (airMass() + static_cast<double>(c.amounts[0] + c.amounts[1])));
     for (int axis = 0; axis < 3; ++axis)
       c.velocity[static_cast<std::size_t>(axis)] += static_cast<float>(change[axis]);
   }
