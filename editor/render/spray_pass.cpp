@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/base/log.h"
+#include "core/base/random.h"
 #include "core/base/units.h"
 #include "core/nodes/settings_nodes.h"
 #include "editor/render/flow_pass.h"
@@ -20,6 +21,11 @@ constexpr double kWater = 1000.0;                 // kg/m3
 constexpr double kFirstRadius = 2.0;              // of the radius of the parcel's water
 constexpr double kSpreading = 0.4;                // m/s
 constexpr double kLargestRadius = 1.5;            // m
+constexpr double kLongest = 4.0;                  // m that a parcel is drawn out at most
+constexpr int kMostPieces = 9;                    // that a parcel is shown as
+constexpr std::size_t kMostPuffs = 200000;        // of all parcels
+constexpr double kPieceSpread = 0.65, kPieceRadius = 0.5;  // of the parcel's radius
+constexpr std::uint32_t kPieceStream = 0x5055;
 constexpr float kExposureSeconds = 1.0f / 48.0f;  // as flakes have it
 constexpr double kTornDrop = 6e-3;                // m, of water that has come apart
 constexpr double kTornRadius = 2.2;               // of the spacing
@@ -34,23 +40,66 @@ const std::vector<float>* valuesOf(const ParticleSet& set, const char* name, int
 
 }  // namespace
 
+namespace {
+
+/// A parcel as a whole.
+struct Parcel {
+  SprayPuff puff;
+  double length = 0.0;  ///< m, along its velocity
+  std::uint32_t id = 0;
+};
+
+/// Water that falls freely is drawn out as it gets faster: what left the crest together is as long as both
+/// speeds differ.
+double drawnOut(double size, Vec3f velocity, double seconds) {
+  const Vec3d now = velocity.to<double>(), then = now + Vec3d{0, 0, kStandardGravity * seconds};
+  const double speed = length(now);
+  return std::min(size * std::max(speed / std::max(length(then), 1.0), 1.0), kLongest);
+}
+
+void addPieces(const Parcel& parcel, int pieces, std::vector<SprayPuff>& puffs) {
+  const CounterRandom random{parcel.id, kPieceStream};
+  const Vec3d way = parcel.puff.velocity.to<double>();
+  const double speed = length(way), radius = static_cast<double>(parcel.puff.radius);
+  for (int k = 0; k < pieces; ++k) {
+    const auto draw = [&](std::uint32_t n) {
+      return 2.0 * random.uniformDouble(static_cast<std::uint64_t>(k), n) - 1.0;
+    };
+    Vec3d offset = Vec3d{draw(0), draw(1), draw(2)} * (kPieceSpread * radius);
+    if (speed > 0.0) offset += way * (0.5 * parcel.length / speed * draw(3));
+    SprayPuff piece = parcel.puff;
+    piece.position = (piece.position.to<double>() + offset).to<float>();
+    piece.area /= static_cast<float>(pieces);
+    piece.radius *= static_cast<float>(kPieceRadius * (1.0 + 0.4 * draw(4)));
+    puffs.push_back(piece);
+  }
+}
+
+}  // namespace
+
 std::vector<SprayPuff> sprayPuffs(const ParticleSet& set) {
   const std::vector<float>*velocity = valuesOf(set, "velocity", 3), *diameter = valuesOf(set, "diameter", 1),
         *mass = valuesOf(set, "mass", 1), *age = valuesOf(set, "age", 1);
   std::vector<SprayPuff> puffs;
   if (!diameter || !mass) return puffs;
-  puffs.reserve(set.size());
+  const int pieces =
+      std::clamp(static_cast<int>(kMostPuffs / std::max<std::size_t>(set.size(), 1)), 1, kMostPieces);
+  puffs.reserve(set.size() * static_cast<std::size_t>(pieces));
   for (std::size_t k = 0; k < set.size(); ++k) {
     const double m = static_cast<double>((*mass)[k]), d = static_cast<double>((*diameter)[k]);
     if (!(m > 0.0) || !(d > 0.0) || !std::isfinite(m / d)) continue;
     const double seconds = age ? std::max(static_cast<double>((*age)[k]), 0.0) : 0.0;
     const double radius = kFirstRadius * std::cbrt(m / kWater * 0.75 / kPi) + kSpreading * seconds;
-    SprayPuff puff{set.positions[k],
+    Parcel parcel;
+    parcel.puff = {set.positions[k],
                    static_cast<float>(1.5 * m / (kWater * d)),
                    {},
                    static_cast<float>(std::min(radius, kLargestRadius))};
-    if (velocity) puff.velocity = {(*velocity)[3 * k], (*velocity)[3 * k + 1], (*velocity)[3 * k + 2]};
-    puffs.push_back(puff);
+    if (velocity)
+      parcel.puff.velocity = {(*velocity)[3 * k], (*velocity)[3 * k + 1], (*velocity)[3 * k + 2]};
+    parcel.length = drawnOut(std::cbrt(m / kWater), parcel.puff.velocity, seconds);
+    parcel.id = k < set.ids.size() ? set.ids[k] : static_cast<std::uint32_t>(k);
+    addPieces(parcel, pieces, puffs);
   }
   return puffs;
 }

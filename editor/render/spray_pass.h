@@ -19,7 +19,9 @@ struct SprayPuff {
 };
 
 /// A parcel of mass m in drops of a diameter d hides 1.5 m / (rho d). It spreads over a ball that begins at
-/// twice the radius of its water and grows with its age. Parcels with numbers that cannot be are left out.
+/// twice the radius of its water and grows with its age; since it falls faster than it left, it is drawn out
+/// along its way as well. It is shown in several pieces, fewer where there are many parcels. Parcels with
+/// numbers that cannot be are left out.
 std::vector<SprayPuff> sprayPuffs(const ParticleSet& set);
 
 /// Particles of a flow of water that hardly any other is near (looseWater()), as parcels: torn to drops of

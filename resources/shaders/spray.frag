@@ -16,9 +16,12 @@ void main() {
   float before = depth > 0.0 ? uViewProjection[3][2] / depth - vWhere.x : 1e6;
   // Into what stands there it sinks softly.
   float soft = clamp(before / vWhere.y + 0.5, 0.0, 1.0);
-  // Drops come in clots; the mean of the square is about 1.
-  float clots = 2.0 * textureLod(uNoise, vec2(0.16, 0.45) * vPlace + vWhere.z * vec2(7.1, 3.7), 0.0).r;
-  float cover = 1.0 - exp(-1.8 * vBody.y * fall * fall * clots * clots);
+  // Drops come in clots; the mean of the square is about 1. Where there is much water its rim is torn by them.
+  vec2 own = vWhere.z * vec2(7.1, 3.7);
+  float clots = 2.0 * textureLod(uNoise, vec2(0.16, 0.45) * vPlace + own, 0.0).r;
+  float torn = textureLod(uNoise, vec2(0.4, 0.9) * vPlace + own.yx, 0.0).r;
+  float shape = clamp(1.25 * fall - (1.0 - torn), 0.0, 1.0);
+  float cover = 1.0 - exp(-2.7 * vBody.y * shape * shape * clots * clots);
   cover *= soft * airKept(gl_FragCoord.xy / uViewport.xy, vWhere.x);
   if (cover < 0.002) discard;
   // Weight by distance in the manner of equation 8 of McGuire and Bavoil 2013; sums of halves bear no more.
