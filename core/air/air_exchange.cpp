@@ -56,6 +56,20 @@ struct PlacedSources {
   std::vector<std::size_t> source;
 };
 
+/// Whether a cell's lower face along an axis is; walls of the domain are not meant.
+bool closed(const BrickSolids& brick, const CellKey& cell, std::size_t axis) {
+  return !brick.open && brick.area[axis][cellInBrick(cell, brickOf(cell))] == 0.0f;
+}
+
+/// m/s along the axis, of what closes that face.
+float solidSpeed(const AirConfig& config, const BrickSolids& brick, const CellKey& cell, std::size_t axis) {
+  if (!brick.moves) return 0.0f;
+  Vec3d middle{cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5};
+  (axis == 0 ? middle.x : axis == 1 ? middle.y : middle.z) -= 0.5;
+  const Vec3d v = nearestSolidVelocity(config, config.origin + config.cell * middle);
+  return static_cast<float>(axis == 0 ? v.x : axis == 1 ? v.y : v.z);
+}
+
 }  // namespace
 
 CellKey cellOf(const AirConfig& config, Vec3d place) {
@@ -97,6 +111,20 @@ float takingCell(const AirWindow& window, const std::vector<BrickSolids>& solids
   for (int up = 0; up < 3; ++up, ++cell[2])
     if (const float room = roomOf(window, solids, cell); room > 0.0f) return room;
   return 0.0f;
+}
+
+void closeFaces(const AirConfig& config, const AirWindow& window, const std::vector<BrickSolids>& solids,
+                const CellKey& cell, CellFaces& faces) {
+  const BrickKey key = brickOf(cell);
+  const BrickSolids& own = *solidsAt(window, solids, key);
+  for (std::size_t a = 0; a < 3; ++a) {
+    CellKey above = cell;
+    ++above[a];
+    const BrickKey keyAbove = brickOf(above);
+    const BrickSolids& next = keyAbove == key ? own : *solidsAt(window, solids, keyAbove);
+    if (closed(own, cell, a)) faces.low[a] = solidSpeed(config, own, cell, a);
+    if (closed(next, above, a)) faces.high[a] = solidSpeed(config, next, above, a);
+  }
 }
 
 SourceLists listSources(const AirConfig& config, const AirWindow& window,
@@ -211,15 +239,15 @@ DragCells binDrag(const AirConfig& config, const AirWindow& window, const std::v
   return cells;
 }
 
-std::vector<Vec3d> exchangeDrag(const DragCells& cells, const std::array<std::vector<float>, 3>& low,
-                                const std::array<std::vector<float>, 3>& high, double density,
-                                double cellSize, double seconds, std::vector<AirDrag>& particles) {
+std::vector<Vec3d> exchangeDrag(const DragCells& cells, const std::vector<CellFaces>& faces,
+                                const std::vector<float>& load, double density, double cellSize,
+                                double seconds, std::vector<AirDrag>& particles) {
   std::vector<Vec3d> impulses(cells.index.size());
-  const double mass = density * cellSize * cellSize * cellSize;
   const auto share = [&](const AirDrag& p) { return p.rate * seconds / (1.0 + p.rate * seconds); };
   for (std::size_t c = 0; c < cells.index.size(); ++c) {
+    const double mass = density * (1.0 + static_cast<double>(load[c])) * cellSize * cellSize * cellSize;
     const auto middle = [&](std::size_t a) {
-      return 0.5 * (static_cast<double>(low[a][c]) + static_cast<double>(high[a][c]));
+      return 0.5 * (static_cast<double>(faces[c].low[a]) + static_cast<double>(faces[c].high[a]));
     };
     Vec3d momentum = mass * Vec3d{middle(0), middle(1), middle(2)};
     double weight = mass;

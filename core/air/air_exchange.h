@@ -22,6 +22,15 @@ bool inDomain(const AirConfig& config, const BrickKey& key);
 /// Index in the window's arrays, or kNoCell where the cell's brick is not active.
 std::uint32_t activeIndex(const AirWindow& window, const CellKey& cell);
 
+/// Velocities at a cell's lower and upper faces.
+struct CellFaces {
+  std::array<float, 3> low{}, high{};
+};
+/// Sets those of closed faces, where the arrays hold what the air beside them is carried with: the air goes
+/// as fast through them as the solid moves. `cell` is computed.
+void closeFaces(const AirConfig& config, const AirWindow& window, const std::vector<BrickSolids>& solids,
+                const CellKey& cell, CellFaces& faces);
+
 /// What is added to cells and faces: each once, in ascending order.
 struct SourceLists {
   std::vector<std::uint32_t> cells;
@@ -54,11 +63,11 @@ struct DragCells {
 DragCells binDrag(const AirConfig& config, const AirWindow& window, const std::vector<BrickSolids>& solids,
                   const std::vector<AirDrag>& particles);
 /// Solves each cell's air with its particles, implicitly: with c = rate t / (1 + rate t), the air ends at
-/// (M u + sum m c v) / (M + sum m c) and every particle moves by c of the way there. Returns the air's
-/// impulses.
-std::vector<Vec3d> exchangeDrag(const DragCells& cells, const std::array<std::vector<float>, 3>& low,
-                                const std::array<std::vector<float>, 3>& high, double density,
-                                double cellSize, double seconds, std::vector<AirDrag>& particles);
+/// (M u + sum m c v) / (M + sum m c) and every particle moves by c of the way there; M is the mass of a cell
+/// of air of that density, with its load (see LoadPass). Returns the air's impulses.
+std::vector<Vec3d> exchangeDrag(const DragCells& cells, const std::vector<CellFaces>& faces,
+                                const std::vector<float>& load, double density, double cellSize,
+                                double seconds, std::vector<AirDrag>& particles);
 
 struct ListedAdd {
   float* values;

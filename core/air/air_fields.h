@@ -149,6 +149,7 @@ class AirFields {
         if (given == own || !(given == 0.0f || (given >= kLeastVolume && given <= 1.0f))) continue;
         own = given;
         solids.moves = true;
+        solids.open = false;
       }
     }
     writeSolids(backend, config);

@@ -89,14 +89,24 @@ AirField scalarField(const char* name, const char* unit, const AirWindow& window
   return field;
 }
 
-AirField velocityField(const AirWindow& window, const HostFields& fields) {
+AirField velocityField(const AirConfig& config, const AirWindow& window,
+                       const std::vector<BrickSolids>& solids, const HostFields& fields) {
   AirField field = emptyField("velocity", "m/s", 3, window);
   const std::int32_t steps[3] = {1, window.strides().y, window.strides().z};
   forCells(window, [&](std::size_t b, int c, std::size_t at) {
+    const BrickKey& key = window.keys()[b];
+    CellFaces faces;
     for (std::size_t a = 0; a < 3; ++a) {
-      const float middle = 0.5f * (fields.u[a][at] + fields.u[a][at + static_cast<std::size_t>(steps[a])]);
-      field.halves[(b * 3 + a) * kBrickCells + static_cast<std::size_t>(c)] = halfFromFloat(middle);
+      faces.low[a] = fields.u[a][at];
+      faces.high[a] = fields.u[a][at + static_cast<std::size_t>(steps[a])];
     }
+    closeFaces(config, window, solids,
+               {key[0] * kBrickX + c % kBrickX, key[1] * kBrickY + c / kBrickX % kBrickY,
+                key[2] * kBrickZ + c / (kBrickX * kBrickY)},
+               faces);
+    for (std::size_t a = 0; a < 3; ++a)
+      field.halves[(b * 3 + a) * kBrickCells + static_cast<std::size_t>(c)] =
+          halfFromFloat(0.5f * (faces.low[a] + faces.high[a]));
   });
   return field;
 }
@@ -190,7 +200,7 @@ void publishAir(const AirConfig& config, const AirWindow& window, const std::vec
   part.fields.push_back(scalarField("snow", "kg/m3", window, fields.q[1]));
   part.fields.push_back(scalarField("temperature", "K", window, fields.q[2]));
   part.fields.push_back(scalarField("vapour", "kg/m3", window, fields.q[3]));
-  part.fields.push_back(velocityField(window, fields));
+  part.fields.push_back(velocityField(config, window, solids, fields));
   if (divergence) part.fields.push_back(divergenceField(config, window, solids, fields));
 }
 

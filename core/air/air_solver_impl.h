@@ -49,7 +49,11 @@ class AirSolverOn final : public AirSolver {
     }
     if (Status ok = reach(places); !ok) return ok;
     const SourceLists lists = listSources(m_config, m_fields.window(), m_fields.solids(), sources, m_budget);
-    return addLists(lists);
+    for (std::size_t a = 0; a < kAirScalars; ++a) addAmounts(lists.cells, lists.amounts[a], m_fields.q[a]);
+    if (m_fields.window().keys().empty()) return {};
+    if (!weigh()) return broken("exchange");
+    pushFaces(lists);
+    return {};
   }
 
   Status drag(std::vector<AirDrag>& particles, double seconds) override {
@@ -60,29 +64,27 @@ class AirSolverOn final : public AirSolver {
     }
     if (Status ok = reach(places); !ok) return ok;
     DragCells cells = binDrag(m_config, m_fields.window(), m_fields.solids(), particles);
-    std::array<std::vector<float>, 3> low, high;
-    const AirStrides s = m_fields.strides();
-    for (std::size_t a = 0; a < 3; ++a) {
-      low[a] = gather(cells.index, m_fields.u[a], 0);
-      high[a] = gather(cells.index, m_fields.u[a], a == 0 ? 1 : a == 1 ? s.y : s.z);
-    }
-    const std::vector<Vec3d> impulses = exchangeDrag(cells, low, high, static_cast<double>(m_ambient.density),
-                                                     m_config.cell, seconds, particles);
+    if (cells.index.empty()) return {};
+    if (!weigh()) return broken("exchange");
+    const std::vector<Vec3d> impulses =
+        exchangeDrag(cells, facesOf(cells.cell, cells.index), gather(cells.index, m_fields.load, 0),
+                     static_cast<double>(m_ambient.density), m_config.cell, seconds, particles);
     SourceLists lists;
     for (std::size_t c = 0; c < cells.index.size(); ++c)
       addImpulse(m_fields.window(), m_fields.solids(), cells.cell[c], impulses[c], 0.0, lists, m_budget);
     mergeFaces(lists);
-    return addLists(lists);
+    pushFaces(lists);
+    return {};
   }
 
   std::vector<Vec3d> velocities(const std::vector<Vec3d>& places) const override {
-    const AirStrides s = m_fields.strides();
-    const std::vector<std::uint32_t> index = placesOf(places);
-    std::array<std::vector<float>, 3> low, high;
-    for (std::size_t a = 0; a < 3; ++a) {
-      low[a] = gather(index, m_fields.u[a], 0);
-      high[a] = gather(index, m_fields.u[a], a == 0 ? 1 : a == 1 ? s.y : s.z);
+    std::vector<CellKey> cells;
+    std::vector<std::uint32_t> index;
+    for (const Vec3d& p : places) {
+      cells.push_back(cellOf(m_config, p));
+      index.push_back(activeIndex(m_fields.window(), cells.back()));
     }
+    const std::vector<CellFaces> faces = facesOf(cells, index);
     std::vector<Vec3d> found;
     for (std::size_t k = 0; k < places.size(); ++k) {
       if (index[k] == kNoCell) {
@@ -93,7 +95,7 @@ class AirSolverOn final : public AirSolver {
       const Vec3d in = (places[k] - m_config.origin) * (1.0 / m_config.cell);
       const auto between = [&](std::size_t a, double x) {
         const double f = x - std::floor(x);
-        return (1.0 - f) * static_cast<double>(low[a][k]) + f * static_cast<double>(high[a][k]);
+        return (1.0 - f) * static_cast<double>(faces[k].low[a]) + f * static_cast<double>(faces[k].high[a]);
       };
       found.push_back({between(0, in.x), between(1, in.y), between(2, in.z)});
     }
@@ -293,17 +295,15 @@ class AirSolverOn final : public AirSolver {
     return {};
   }
 
-  Status addLists(const SourceLists& lists) {
-    const auto addTo = [&](Field& field, const std::vector<std::uint32_t>& index,
-                           const std::vector<float>& values) {
-      if (index.empty()) return;
-      m_backend.upload(index, m_index);
-      m_backend.upload(values, m_values);
-      m_backend.forEach("exchange", index.size(), ListedAdd{field.data(), m_index.data(), m_values.data()});
-    };
-    for (std::size_t a = 0; a < kAirScalars; ++a) addTo(m_fields.q[a], lists.cells, lists.amounts[a]);
-    if (m_fields.window().keys().empty()) return {};
-    if (!weigh()) return broken("exchange");
+  void addAmounts(const std::vector<std::uint32_t>& index, const std::vector<float>& values, Field& field) {
+    if (index.empty()) return;
+    m_backend.upload(index, m_index);
+    m_backend.upload(values, m_values);
+    m_backend.forEach("exchange", index.size(), ListedAdd{field.data(), m_index.data(), m_values.data()});
+  }
+
+  /// After weigh().
+  void pushFaces(const SourceLists& lists) {
     const float unit =
         1.0f / (m_ambient.density * static_cast<float>(m_config.cell * m_config.cell * m_config.cell));
     for (std::size_t a = 0; a < 3; ++a) {
@@ -313,13 +313,8 @@ class AirSolverOn final : public AirSolver {
       m_backend.upload(lists.masses[a], m_masses);
       m_backend.forEach("exchange", lists.faces[a].size(),
                         ListedPush{m_fields.u[a].data(), m_fields.load.data(), m_index.data(),
-                                   m_values.data(), m_masses.data(),
-                                   a == 0   ? 1
-                                   : a == 1 ? m_fields.strides().y
-                                            : m_fields.strides().z,
-                                   unit});
+                                   m_values.data(), m_masses.data(), stepAlong(a), unit});
     }
-    return {};
   }
 
   /// What the cells hold when their volumes change; what has no cell to go to is booked.
@@ -335,10 +330,21 @@ class AirSolverOn final : public AirSolver {
     }
   }
 
-  std::vector<std::uint32_t> placesOf(const std::vector<Vec3d>& places) const {
-    std::vector<std::uint32_t> index;
-    for (const Vec3d& p : places) index.push_back(activeIndex(m_fields.window(), cellOf(m_config, p)));
-    return index;
+  std::vector<CellFaces> facesOf(const std::vector<CellKey>& cells,
+                                 const std::vector<std::uint32_t>& index) const {
+    std::vector<CellFaces> faces(cells.size());
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::vector<float> low = gather(index, m_fields.u[a], 0),
+                               high = gather(index, m_fields.u[a], stepAlong(a));
+      for (std::size_t k = 0; k < cells.size(); ++k) faces[k].low[a] = low[k], faces[k].high[a] = high[k];
+    }
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      if (index[k] != kNoCell) closeFaces(m_config, m_fields.window(), m_fields.solids(), cells[k], faces[k]);
+    return faces;
+  }
+  int stepAlong(std::size_t axis) const {
+    const AirStrides s = m_fields.strides();
+    return axis == 0 ? 1 : axis == 1 ? s.y : s.z;
   }
 
   /// Values at cells plus an offset; those of kNoCell are those of cell 0.

@@ -230,6 +230,18 @@ BrickSolids cutBrick(const AirConfig& config, const BrickKey& key) {
   return solids;
 }
 
+Vec3d nearestSolidVelocity(const AirConfig& config, Vec3d place) {
+  double least = 1e30;
+  const AirSolid* nearest = nullptr;
+  for (const AirSolid& solid : config.solids) {
+    const double distance = distanceTo(solid, place);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = &solid;
+  }
+  return nearest && nearest->velocity ? nearest->velocity(place) : Vec3d{};
+}
+
 double positiveShare(const std::array<double, 4>& c) {
   const double middle = 0.25 * (c[0] + c[1] + c[2] + c[3]);
   double sum = 0.0;

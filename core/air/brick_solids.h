@@ -28,6 +28,9 @@ struct BrickSolids {
 /// Shares of faces from the distances at their corners, of cells from those of their faces.
 BrickSolids cutBrick(const AirConfig& config, const BrickKey& key);
 
+/// Velocity of the solid that is nearest to a place; 0 where it stands.
+Vec3d nearestSolidVelocity(const AirConfig& config, Vec3d place);
+
 /// Share of a square in which a field is positive, from its values at the corners, in order round it: four
 /// triangles with the mean in the middle, each cut exactly.
 double positiveShare(const std::array<double, 4>& corners);

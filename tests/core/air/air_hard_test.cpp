@@ -362,6 +362,21 @@ std::string saidOf(AirConfig config, std::size_t field, float value, bool everyw
   return done ? "fine" : done.error().text();
 }
 
+TEST(AirHard, HeavyAirIsHardToDrag) {
+  AirConfig c = valley();
+  c.everywhere = true;
+  c.stages = {false, false, false, false, false};
+  const Solver solver = make(c);
+  const double volume = 0.125, air = 1.29;
+  ASSERT_TRUE(solver->add({{{10.25, 12.25, 8.25}, {0, 50.0 * volume, 0, 0}, {}}}).ok());
+  // Held to the air so hard that both end with one speed.
+  std::vector<AirDrag> lumps{{{10.25, 12.25, 8.25}, {10, 0, 0}, 5.0, 1e7},
+                             {{4.25, 12.25, 8.25}, {10, 0, 0}, 5.0, 1e7}};
+  ASSERT_TRUE(solver->drag(lumps, 0.1).ok());
+  EXPECT_NEAR(lumps[0].velocity.x, 50.0 / (5.0 + (50.0 + air) * volume), 0.01);
+  EXPECT_NEAR(lumps[1].velocity.x, 50.0 / (5.0 + air * volume), 0.01);
+}
+
 TEST(AirHard, SaysWhatIsWrongAndWhere) {
   const AirConfig c = valley();
   // Cell (5, 2, 0) of the brick.

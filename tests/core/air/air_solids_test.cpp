@@ -113,6 +113,28 @@ TEST(AirSolids, WhatMovesThroughMistKeepsItsMass) {
   }
 }
 
+TEST(AirSolids, NoAirGoesThroughAFloorOrIntoABall) {
+  AirConfig c = mistyAir();
+  const auto place = [](double x) { return ball({x, 16, 16}, kRadius, 6.0); };
+  c.solids = {{[](Vec3d p) { return p.z - 2.3; }, {}}, place(16.0)};
+  const auto air = make(c);
+  ASSERT_TRUE(air->add({{{5.5, 5.5, 4.5}, {}, {20, 0, -200}}}).ok());
+  ASSERT_TRUE(air->step(0.05).ok());
+  // The floor's cells have closed faces below, at z = 2.
+  const double above = air->velocities({{5.5, 5.5, 2.999}}).front().z;
+  EXPECT_LT(above, -0.1);
+  EXPECT_NEAR(air->velocities({{5.5, 5.5, 2.001}}).front().z, 0.0, 0.01 * -above);
+  EXPECT_NEAR(air->velocities({{16.5, 16.5, 16.5}}).front().x, 6.0, 1e-6);
+  EXPECT_EQ(air->velocities({{16.5, 16.5, 16.5}}).front().z, 0.0);
+  AirPart part;
+  air->publish(false, part);
+  const AirField& field = *part.find("velocity");
+  const std::size_t brick = 4 * 2 * 8 + 4 * 2 + 1;  // holds the ball's middle
+  ASSERT_EQ(part.bricks[brick], (std::array<std::int32_t, 3>{1, 4, 4}));
+  EXPECT_NEAR(static_cast<double>(field.at(brick, 0, 0)), 6.0, 1e-2);
+  EXPECT_NEAR(static_cast<double>(field.at(2, 2, 2 * 64 + 16 + 5)), 0.5 * above, 0.01 * -above);
+}
+
 TEST(AirSolids, WhatASolidEnclosesIsBooked) {
   AirConfig c = mistyAir();
   c.solids = {{[](Vec3d) { return 1.0; }, [](Vec3d) { return Vec3d{}; }}};
