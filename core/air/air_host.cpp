@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/air/scalar_passes.h"
 #include "core/air/weight_passes.h"
 
 namespace spin {
@@ -149,6 +150,50 @@ AirField divergenceField(const AirConfig& config, const AirWindow& window,
   return field;
 }
 
+/// Bricks of a window that are no farther than kNear cells from those that hold something or were touched.
+class CloudZone {
+ public:
+  CloudZone(const AirWindow& window, const std::vector<double>& activity,
+            const std::vector<BrickKey>& touched)
+      : m_window(window), m_in(slot(window.bricksAlong()) + 1, 0) {
+    for (std::size_t b = 0; b < activity.size(); ++b)
+      if (activity[b] >= ActivityPass::kHolds) mark(window.keys()[b]);
+    for (const BrickKey& key : touched)
+      if (window.activePlace(key) >= 0) mark(key);
+  }
+  bool holds(const BrickKey& key) const { return m_in[slot(inWindow(key))] != 0; }
+
+ private:
+  static constexpr int kNear = 16;
+
+  BrickKey inWindow(const BrickKey& key) const {
+    const BrickKey& low = m_window.low();
+    return {key[0] - low[0], key[1] - low[1], key[2] - low[2]};
+  }
+  std::size_t slot(const BrickKey& k) const {
+    const BrickKey count = m_window.bricksAlong();
+    return (static_cast<std::size_t>(k[2]) * static_cast<std::size_t>(count[1]) +
+            static_cast<std::size_t>(k[1])) *
+               static_cast<std::size_t>(count[0]) +
+           static_cast<std::size_t>(k[0]);
+  }
+  void mark(const BrickKey& key) {
+    const BrickKey middle = inWindow(key), count = m_window.bricksAlong();
+    BrickKey low{}, high{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::int32_t far = (kNear + kAlong[a] - 1) / kAlong[a];
+      low[a] = std::max(middle[a] - far, 0);
+      high[a] = std::min(middle[a] + far, count[a] - 1);
+    }
+    for (std::int32_t z = low[2]; z <= high[2]; ++z)
+      for (std::int32_t y = low[1]; y <= high[1]; ++y)
+        for (std::int32_t x = low[0]; x <= high[0]; ++x) m_in[slot({x, y, z})] = 1;
+  }
+
+  const AirWindow& m_window;
+  std::vector<std::uint8_t> m_in;  ///< by brick of the window
+};
+
 }  // namespace
 
 std::vector<std::int32_t> firstCells(const AirWindow& window) {
@@ -158,17 +203,18 @@ std::vector<std::int32_t> firstCells(const AirWindow& window) {
 }
 
 std::vector<BrickKey> bricksRound(const AirConfig& config, const AirWindow& window,
-                                  const std::vector<double>& activity) {
+                                  const std::vector<double>& activity, const std::vector<BrickKey>& touched) {
   // A sub-step carries by mostCourant cells; a brick that grows empty is kept a little longer.
   constexpr double kEmpty = 0.5;
   BrickKey reach{};
   for (std::size_t a = 0; a < 3; ++a)
     reach[a] = std::max(1, static_cast<int>(std::ceil(config.mostCourant / kAlong[a])));
+  const CloudZone zone(window, activity, touched);
   std::vector<BrickKey> keys;
   for (std::size_t b = 0; b < activity.size(); ++b) {
     const BrickKey& key = window.keys()[b];
-    if (activity[b] > kEmpty && activity[b] <= 1.0) keys.push_back(key);
-    if (activity[b] <= 1.0) continue;
+    if (activity[b] > kEmpty) keys.push_back(key);
+    if (activity[b] <= 1.0 || !zone.holds(key)) continue;
     for (std::int32_t z = -reach[2]; z <= reach[2]; ++z)
       for (std::int32_t y = -reach[1]; y <= reach[1]; ++y)
         for (std::int32_t x = -reach[0]; x <= reach[0]; ++x) {

@@ -21,10 +21,11 @@ struct HostFields {
 inline constexpr double kMostSpeed = 1e5;
 
 std::vector<std::int32_t> firstCells(const AirWindow& window);
-/// Bricks to go on with: those that hold something, and as many round them as the cloud may reach in a
-/// sub-step.
+/// Bricks to go on with: those that hold something or move, and as many round them as the cloud may reach in
+/// a sub-step. Round moving air only where something hangs nearby or has been brought (`touched`): else wind
+/// that is not quite steady over the land would have all of it computed.
 std::vector<BrickKey> bricksRound(const AirConfig& config, const AirWindow& window,
-                                  const std::vector<double>& activity);
+                                  const std::vector<double>& activity, const std::vector<BrickKey>& touched);
 void appendDeposits(const AirConfig& config, const AirWindow& window, const std::vector<float>& mist,
                     const std::vector<float>& snow, std::vector<AirDeposit>& to);
 void publishAir(const AirConfig& config, const AirWindow& window, const std::vector<BrickSolids>& solids,

@@ -137,6 +137,7 @@ class AirSolverOn final : public AirSolver {
       ++done.subSteps;
       done.cells += m_fields.window().keys().size() * kBrickCells;
     }
+    m_touched.clear();
     // Else the phase change has seen to that.
     if (!changesPhase() && !m_fields.window().keys().empty() && !weigh()) return broken("step");
     return done;
@@ -192,6 +193,7 @@ class AirSolverOn final : public AirSolver {
     // From nothing, so that what stays outside the bricks is the wind again.
     if (Status ok = useBricks({}, true); !ok) return ok;
     m_deposits.clear();
+    m_touched.clear();
     if (Status ok = useBricks(state.bricks, true); !ok) return ok;
     unpack(state);
     m_transport.setForward(state.forward);
@@ -239,6 +241,9 @@ class AirSolverOn final : public AirSolver {
       const BrickKey key = brickOf(cellOf(m_config, p));
       if (inDomain(m_config, key)) keys.push_back(key);
     }
+    m_touched.insert(m_touched.end(),
+                     keys.begin() + static_cast<std::ptrdiff_t>(m_fields.window().keys().size()), keys.end());
+    sortBricks(m_touched);
     return useBricks(std::move(keys));
   }
 
@@ -274,7 +279,7 @@ class AirSolverOn final : public AirSolver {
     const std::vector<double> activity = m_transport.activity(m_backend, m_passes, m_fields, m_config);
     for (const double a : activity)
       if (!std::isfinite(a)) return broken("bricks");
-    return useBricks(bricksRound(m_config, m_fields.window(), activity));
+    return useBricks(bricksRound(m_config, m_fields.window(), activity, m_touched));
   }
 
   Status subStep(double seconds, AirStep& done) {
@@ -409,6 +414,7 @@ class AirSolverOn final : public AirSolver {
   AirMotion<Backend> m_motion;
   mutable AirTransport<Backend> m_transport;
   AirBudget m_budget;
+  std::vector<BrickKey> m_touched;     ///< where something was brought since the latest step
   std::vector<AirDeposit> m_deposits;  ///< of bricks that were given up
   mutable Array<std::uint32_t> m_index;
   mutable Array<float> m_values, m_masses, m_gathered;

@@ -155,8 +155,10 @@ struct LargestPass {
 };
 
 /// Largest of values over their leasts and of the speed against the wind over its own: below 1 a cell is as
-/// good as empty. Not finite where one of them is not.
+/// good as empty; kHolds where it holds something, less where the air moves only. Not finite where one of
+/// them is not.
 struct ActivityPass {
+  static constexpr double kHolds = 1e6;
   static constexpr AirResult kResult = AirResult::Most;
   AirStrides strides;
   const float* q[4];
@@ -177,10 +179,12 @@ struct ActivityPass {
       most = maximum(most, magnitude(own) * Real(1.0f / least[k]));
       broken = mulAdd(zero, own, broken);
     }
+    most = selectLess(lit<Real>(1.0), most, lit<Real>(kHolds), most);
     for (int k = 0; k < 3; ++k) {
       Real apart = at.load(u[k]);
       if (wind[k]) apart = apart - at.load(wind[k]);
-      most = maximum(most, magnitude(apart) * positive(at.load(area[k])) * Real(1.0f / leastSpeed));
+      const Real speed = magnitude(apart) * positive(at.load(area[k])) * Real(1.0f / leastSpeed);
+      most = maximum(most, minimum(speed, lit<Real>(0.5 * kHolds)));
       broken = mulAdd(zero, apart, broken);
     }
     return mulAdd(most, at.load(open), broken);
