@@ -54,6 +54,16 @@ void fillDisc(const SceneSnapshot& scene, const WaterSourceNode& source, double 
     out.problem = "the disc is too small for this spacing: its particles would overlap";
 }
 
+/// Each column along the flow is as far ahead of the others as a sequence without a period says: lattices
+/// that enter as one would fall as rows that can be seen all the way down.
+void stagger(InflowLattice& lattice) {
+  constexpr double kGolden = 0.6180339887498949;
+  for (std::size_t k = 0; k < lattice.positions.size(); ++k) {
+    const double turns = static_cast<double>(k) * kGolden;
+    lattice.positions[k] += lattice.velocity * (lattice.interval * (turns - std::floor(turns)));
+  }
+}
+
 }  // namespace
 
 InflowLattice inflowLattice(const SceneSnapshot& scene, const WaterSourceNode& source, double spacing) {
@@ -62,6 +72,7 @@ InflowLattice inflowLattice(const SceneSnapshot& scene, const WaterSourceNode& s
     fillLine(scene, source, spacing, out);
   else
     fillDisc(scene, source, spacing, out);
+  stagger(out);
   return out;
 }
 

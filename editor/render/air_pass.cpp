@@ -113,6 +113,7 @@ void AirPass::buildNatural(const AirSky& sky) {
     return;
   }
   m_light = lightAir(*m_air, m_optics, sky, kMostVoxels, m_backend);
+  m_ambient = (sky.sky + sky.bounce) * 0.5;
   uploadBlocks(m_blocks);
   uploadLight(m_light);
 }
@@ -252,6 +253,8 @@ void AirPass::march(GLuint depth, const DrawContext& context) {
   } else {
     const AirPhase& phase = m_optics.phase;
     program.set("uPhase", at(phase.peak), at(phase.broad), at(phase.alpha), at(phase.broadShare));
+    const double ahead = phase.meanCosine() * phase.meanCosine();
+    program.set("uBehind", at(m_ambient.x), at(m_ambient.y), at(m_ambient.z), at(ahead));
     // From cells of the blocks to the light's texture.
     const Vec3d shift = m_blocks.origin - m_light.origin;
     const auto share = [&](int a) {

@@ -61,6 +61,7 @@ class AirPass {
   AirOptics m_optics;
   AirBlocks m_blocks;     ///< without texels: these are on the card
   AirLight m_light;       ///< likewise
+  Vec3d m_ambient{};      ///< colour that sky and ground give an open cloud
   AirSliceImage m_slice;  ///< likewise
   ValueScale m_scale;
   double m_valueExtinction = 0.0;

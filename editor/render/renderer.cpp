@@ -199,7 +199,9 @@ void Renderer::State::updateCover() {
 void Renderer::State::prepareAir(const DrawContext& context) {
   const auto vec = [](Vec4f v) { return Vec3f{v.x, v.y, v.z}.to<double>(); };
   const FrameBlock& b = context.block;
-  AirSky light{vec(b.toSun), vec(b.sun), vec(b.sky), vec(b.bounce), {}};
+  // The sky as it is drawn, in the mean over all directions.
+  const Vec3d drawn = vec(b.horizon) * 0.3 + vec(b.zenith) * 0.7;
+  AirSky light{vec(b.toSun), vec(b.sun), drawn, vec(b.bounce), {}};
   if (!terrain.empty()) light.sunShare = [this](Vec3d place) { return terrain.sunShare(place); };
   air.prepare(context, light, terrain.shadowRevision());
 }

@@ -17,13 +17,13 @@
 namespace spin {
 namespace {
 
-constexpr double kWater = 1000.0;                 // kg/m3
-constexpr double kFirstRadius = 2.0;              // of the radius of the parcel's water
-constexpr double kSpreading = 0.4;                // m/s
-constexpr double kLargestRadius = 1.5;            // m
-constexpr double kLongest = 4.0;                  // m that a parcel is drawn out at most
-constexpr int kMostPieces = 9;                    // that a parcel is shown as
-constexpr std::size_t kMostPuffs = 200000;        // of all parcels
+constexpr double kWater = 1000.0;                          // kg/m3
+constexpr double kFirstRadius = 2.0;                       // of the radius of the parcel's water
+constexpr double kSpreading = 0.4;                         // m/s
+constexpr double kLargestRadius = 1.5;                     // m
+constexpr double kLongest = 4.0;                           // m that a parcel is drawn out at most
+constexpr int kMostPieces = 9;                             // that a parcel is shown as
+constexpr std::size_t kMostPuffs = 200000;                 // of all parcels
 constexpr double kPieceSpread = 0.65, kPieceRadius = 0.5;  // of the parcel's radius
 constexpr std::uint32_t kPieceStream = 0x5055;
 constexpr float kExposureSeconds = 1.0f / 48.0f;  // as flakes have it
@@ -95,8 +95,7 @@ std::vector<SprayPuff> sprayPuffs(const ParticleSet& set) {
                    static_cast<float>(1.5 * m / (kWater * d)),
                    {},
                    static_cast<float>(std::min(radius, kLargestRadius))};
-    if (velocity)
-      parcel.puff.velocity = {(*velocity)[3 * k], (*velocity)[3 * k + 1], (*velocity)[3 * k + 2]};
+    if (velocity) parcel.puff.velocity = {(*velocity)[3 * k], (*velocity)[3 * k + 1], (*velocity)[3 * k + 2]};
     parcel.length = drawnOut(std::cbrt(m / kWater), parcel.puff.velocity, seconds);
     parcel.id = k < set.ids.size() ? set.ids[k] : static_cast<std::uint32_t>(k);
     addPieces(parcel, pieces, puffs);

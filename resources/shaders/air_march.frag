@@ -13,6 +13,7 @@ layout(binding = 10) uniform sampler3D uLight;  // scattered more than once and 
 uniform vec4 uPhase;       // mean cosine of the peak, of the rest, its alpha, its share
 uniform vec4 uLightShift;  // from cells to places in uLight
 uniform vec4 uLightScale;
+uniform vec4 uBehind;      // colour of an open cloud by sky and ground alone; share that is scattered ahead
 #endif
 uniform vec4 uAir;         // corner of block 0 seen from the eye, in cells; cells per m
 uniform ivec4 uBlocks;     // along x, y, z
@@ -127,6 +128,14 @@ void main() {
   // What is left of an opaque cloud counts as all of it.
   float whole = kept <= 0.004 ? 0.0 : kept;
   colour *= (1.0 - whole) / max(1.0 - kept, 1e-6);
+#ifndef VALUES
+  // Drops scatter ahead: thin mist before the bright sky is as bright as that, not as the mean of all sides
+  // (scaled as J. H. Joseph, W. J. Wiscombe, J. A. Weinman 1976).
+  if (scene >= kFar) {
+    float direct = max(kept, 1e-3);
+    colour += max(pow(direct, 1.0 - uBehind.w) - direct, 0.0) * (skyColour(ray / metres) - uBehind.rgb);
+  }
+#endif
   vec2 mean = moments / max(1.0 - kept, 1e-6);
   oLook = vec4(colour, whole);
   oPlace = vec4(scene, kept < 1.0 ? start + mean.x : kFar, sqrt(max(mean.y - mean.x * mean.x, 0.0)), 0.0);

@@ -300,5 +300,21 @@ TEST(Inflow, LatticesKeepTheFlowAndNeverOverlap) {
   }
 }
 
+TEST(Inflow, ColumnsDoNotEnterAsRows) {
+  const SceneSnapshot scene = FlowTestScene().build();
+  WaterSourceNode line;
+  line.velocity = {0, 3, 0};
+  line.end = {4.0, 0, 0};
+  line.flowPerMetre = 0.3;
+  const InflowLattice lattice = inflowLattice(scene, line, 0.1);
+  std::vector<double> ahead;
+  for (const Vec3d& p : lattice.positions) ahead.push_back(p.y / (3.0 * lattice.interval));
+  std::sort(ahead.begin(), ahead.end());
+  ASSERT_EQ(ahead.size(), 40u);
+  EXPECT_GE(ahead.front(), 0.0);
+  EXPECT_LT(ahead.back(), 1.0);
+  for (std::size_t k = 1; k < ahead.size(); ++k) EXPECT_LT(ahead[k] - ahead[k - 1], 2.0 / 40.0);
+}
+
 }  // namespace
 }  // namespace spin
