@@ -59,6 +59,28 @@ double largestDivergence(const AirSolver& solver) {
   return most;
 }
 
+TEST(AirSolver, SmallEddiesMixAsSmagorinskySays) {
+  // u = A sin(k z) between sliding walls: du/dt = d/dz (C^2 h^2 |du/dz| du/dz).
+  constexpr double kCell = 0.5, kAmplitude = 4.0, kConstant = 0.2, kSeconds = 0.05;
+  AirConfig c = closedBox(1, 1, 16, kCell);
+  c.stages = {false, false, false, true, false};
+  c.smagorinsky = kConstant;
+  const Solver solver = make(c);
+  AirState s = solver->state();
+  const double k = 2.0 * kPi / (16 * kBrickZ * kCell);
+  setField(c, s, 0, [&](Vec3d p) { return p.x == 0.0 ? 0.0 : kAmplitude * std::sin(k * p.z); });
+  ASSERT_TRUE(solver->restore(s).ok());
+  const auto before = solver->velocities({{3.0, 1.0, 8.25}, {3.0, 1.0, 4.25}, {3.0, 1.0, 2.25}});
+  ASSERT_TRUE(solver->step(kSeconds).ok());
+  const auto after = solver->velocities({{3.0, 1.0, 8.25}, {3.0, 1.0, 4.25}, {3.0, 1.0, 2.25}});
+  for (std::size_t n = 0; n < after.size(); ++n) {
+    const double z = n == 0 ? 8.25 : n == 1 ? 4.25 : 2.25;
+    const double slope = kAmplitude * k * std::cos(k * z), bend = -kAmplitude * k * k * std::sin(k * z);
+    const double expected = 2.0 * kConstant * kConstant * kCell * kCell * std::abs(slope) * bend * kSeconds;
+    EXPECT_NEAR(after[n].x - before[n].x, expected, 0.03 * std::abs(expected) + 2e-5) << z;
+  }
+}
+
 TEST(AirSolver, ProjectionTakesTheDivergenceOut) {
   AirConfig c = closedBox(4, 16, 16, 1.0 / 64);
   c.stages = {false, false, false, false, true};
