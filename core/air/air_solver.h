@@ -86,8 +86,8 @@ struct AirConfig {
 
   std::vector<AirSolid> solids;
   /// A brick whose cells all lie below these, and neighbours' too, is given up.
-  AirAmounts least{1e-6, 1e-5, 0.05, 1e-5};
-  double leastSpeed = 0.2;  ///< m/s, against the wind
+  AirAmounts least{1e-5, 1e-4, 0.2, 1e-4};
+  double leastSpeed = 0.5;  ///< m/s, against the wind
 };
 
 /// Brought into the air at a place.
