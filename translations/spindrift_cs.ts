@@ -4209,6 +4209,10 @@
         <source>Mist, powder and spray stand still from the shown frame on</source>
         <translation>Od zobrazeného snímku mlha, prach a tříšť stojí</translation>
     </message>
+    <message>
+        <source>Show a slice of the air</source>
+        <translation>Ukázat řez vzduchem</translation>
+    </message>
 </context>
 <context>
     <name>spin::MainWindow</name>

@@ -4201,6 +4201,10 @@
         <source>Mist, powder and spray stand still from the shown frame on</source>
         <translation>从显示的帧起水雾、粉雪和水花静止</translation>
     </message>
+    <message>
+        <source>Show a slice of the air</source>
+        <translation>显示空气切片</translation>
+    </message>
 </context>
 <context>
     <name>spin::MainWindow</name>

@@ -83,6 +83,7 @@ struct AirConfig {
   double mostCourant = 4.0;          ///< cells that air goes in a sub-step at most; 0.1 to 100
 
   AirStages stages;
+  std::function<bool()> stop;  ///< asked several times in a step: true ends it as cancelled; may be empty
 
   std::vector<AirSolid> solids;
   /// A brick whose cells all lie below these, and neighbours' too, is given up.

@@ -125,6 +125,7 @@ class AirSolverOn final : public AirSolver {
     AirStep done;
     done.seconds = seconds;
     for (double left = seconds; left > 1e-9 * seconds;) {
+      if (stopped()) return cancelledStep();
       if (Status ok = followCloud(); !ok) return ok.error();
       if (m_fields.window().keys().empty()) break;
       const double fastest = m_motion.fastest(m_backend, m_passes, m_fields);
@@ -233,6 +234,11 @@ class AirSolverOn final : public AirSolver {
             "Report this"};
   }
 
+  bool stopped() const { return m_config.stop && m_config.stop(); }
+  static Error cancelledStep() {
+    return {ErrorKind::Cancelled, "The simulation stopped", "air", "it was cancelled", ""};
+  }
+
   /// Bricks come to be at places.
   Status reach(const std::vector<Vec3d>& places) {
     std::vector<BrickKey> keys = m_fields.window().keys();
@@ -292,6 +298,7 @@ class AirSolverOn final : public AirSolver {
     };
     const char* stage = m_motion.step(m_backend, m_passes, m_fields, m_config, m_ambient, seconds, book);
     if (stage) return broken(stage);
+    if (stopped()) return cancelledStep();
     if (m_config.stages.advectScalars &&
         !m_transport.step(m_backend, m_passes, m_fields, m_config, seconds, m_budget))
       return broken("carry scalars");

@@ -3,6 +3,7 @@
 #include "core/cloud/cloud_process.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -17,8 +18,9 @@
 namespace spin {
 namespace {
 
-/// Cells that a cloud fills, about, share of its box.
-constexpr double kFilled = 0.2;
+/// What a cloud fills, about: a small box nearly, of a large one a part of the ground to this height.
+constexpr double kFilled = 0.7, kFilledPlan = 0.15, kCloudHeight = 60.0;
+constexpr double kSmallBox = 3e5;  // m3
 /// Cells a second and thread, of the grid with one exchange, by its measured rate.
 constexpr double kCellRate = 1.5e6;
 /// The grid's fields and work arrays, bytes a cell.
@@ -94,7 +96,10 @@ class CloudProcess final : public Process {
  private:
   static double filledCells(const SceneSnapshot& scene) {
     const Result<CloudScene> made = makeCloudScene(scene, {}, false);
-    return made ? kFilled * made->cells() : 0.0;
+    if (!made) return 0.0;
+    const Vec3d size = made->box.size();
+    const double cell = made->air.cell, wide = kSmallBox + kFilledPlan * size.x * size.y * kCloudHeight;
+    return std::min(kFilled * made->cells(), wide / (cell * cell * cell));
   }
 
   Status make(const SceneSnapshot& scene, ProcessContext& context) {
@@ -152,13 +157,22 @@ class CloudProcess final : public Process {
                          flow ? &m_before : nullptr};
     CloudExchange exchange(made, m_state);
     exchange.takeBack(std::exchange(m_coupling->refused, {}));
-    const ScopedStage stage(context.backend.timings(), "air");
+    const auto begun = std::chrono::steady_clock::now();
     const Result<AirStep> done = exchange.run();
     if (!done) return done.error();
     m_steps.push_back(*done);
-    context.backend.timings().merge(m_air->timings());
-    m_air->timings().clear();
+    const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    mergeTimings(context.backend.timings(), all);
     return {};
+  }
+
+  /// The grid's own stages, and what is left of the whole for spray and exchange.
+  void mergeTimings(StageTimings& timings, double all) {
+    double grid = 0.0;
+    for (const StageTime& stage : m_air->timings().table()) grid += stage.seconds;
+    timings.merge(m_air->timings());
+    timings.add("spray and exchange", std::max(all - grid, 0.0));
+    m_air->timings().clear();
   }
 
   std::unique_ptr<CloudScene> m_scene;

@@ -16,6 +16,8 @@
 namespace spin {
 namespace {
 
+/// Cells of the box, at most: its cloud would take some hundred GB.
+constexpr double kMostCells = 4e9;
 /// Bricks along an axis, at most.
 constexpr double kMostBricks = 1 << 20;
 /// Of the standard atmosphere near the ground, m.
@@ -112,6 +114,11 @@ Result<CloudScene> makeCloudScene(const SceneSnapshot& scene, const CancelToken&
   made.surrounding = SurroundingAir::of(now.temperature, pressureOf(scene), now.relativeHumidity);
   made.air = configOf(node, made.surrounding, made.box, cell);
   made.air.gravity = flow.config.gravity;
+  made.air.stop = [cancel] { return cancel.cancelled(); };
+  if (made.cells() > kMostCells)
+    return badInput("The air cannot start", airNode ? airNode->id : std::string(),
+                    fmt::format("its box holds {:.2g} cells of {:.3g} m", made.cells(), cell),
+                    "Make cell_m, or the flow's spacing, larger");
   made.flow = flow.config;
   made.flow.walls.meshes.clear();
   made.flow.bodies.clear();

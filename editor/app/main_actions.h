@@ -45,6 +45,7 @@ class MainActions : public QObject {
   void showSnowSettings();
   void addAirMenu(QMenu* view);
   void showAirSettings();
+  void showAir(const char* property, std::size_t choice);
   void addFlowMenu(QMenu* view);
   void showFlowSettings();
   void addSimulateMenu();

@@ -18,6 +18,7 @@
 #include "editor/document/scene_document.h"
 #include "editor/panels/field_keys.h"
 #include "editor/panels/number_editors.h"
+#include "editor/panels/wheel_guard.h"
 
 namespace spin {
 namespace {
@@ -60,6 +61,7 @@ ChoiceEditor::ChoiceEditor(const PropertyInfo& property, QWidget* parent)
     : ValueEditor(parent), m_list(new QComboBox(this)) {
   m_list->setObjectName(QStringLiteral("list"));
   m_list->setFocusPolicy(Qt::StrongFocus);
+  new WheelGuard(m_list);
   for (const Choice& choice : property.choices)
     m_list->addItem(QCoreApplication::translate("Properties", choice.label));
   rowLayout(this)->addWidget(m_list, 1);

@@ -10,6 +10,7 @@
 
 #include "editor/panels/field_keys.h"
 #include "editor/panels/unit_spin_box.h"
+#include "editor/panels/wheel_guard.h"
 
 namespace spin {
 namespace {
@@ -75,6 +76,7 @@ NumberEditor::NumberEditor(const PropertyInfo& property, QWidget* parent)
     m_slider->setObjectName(QStringLiteral("slider"));
     m_slider->setRange(0, slot(property, property.max));
     m_slider->setFocusPolicy(Qt::StrongFocus);
+    new WheelGuard(m_slider);
     layout->addWidget(m_slider, 1);
     connect(m_slider, &QSlider::valueChanged, this, &NumberEditor::slide);
     connect(m_slider, &QSlider::sliderReleased, this, &ValueEditor::released);
