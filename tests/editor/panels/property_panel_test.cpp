@@ -264,11 +264,19 @@ void PropertyPanelTest::undoIsShown() {
 
 void PropertyPanelTest::theWheelNeedsTheFocus() {
   auto* spin = part<UnitSpinBox>("wind_speed_m_s", "number");
+  auto* slider = part<QSlider>("cloud_cover", "slider");
+  auto* list = part<QComboBox>("precipitation_phase", "list");
+  const double cloud = weather("cloud_cover");
   m_panel->setFocus();
-  QWheelEvent turn(QPointF(5, 5), spin->mapToGlobal(QPointF(5, 5)), {}, QPoint(0, 120), Qt::NoButton,
-                   Qt::NoModifier, Qt::NoScrollPhase, false);
-  QCoreApplication::sendEvent(spin, &turn);
+  for (QWidget* widget :
+       {static_cast<QWidget*>(spin), static_cast<QWidget*>(slider), static_cast<QWidget*>(list)}) {
+    QWheelEvent turn(QPointF(5, 5), widget->mapToGlobal(QPointF(5, 5)), {}, QPoint(0, -120), Qt::NoButton,
+                     Qt::NoModifier, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(widget, &turn);
+  }
   QCOMPARE(weather("wind_speed_m_s"), 2.0);
+  QCOMPARE(weather("cloud_cover"), cloud);
+  QCOMPARE(list->currentIndex(), 0);
 }
 
 void PropertyPanelTest::undoPassesUnlessTheFieldHasSome_data() {
