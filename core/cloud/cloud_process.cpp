@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/cloud/cloud_estimate.h"
 #include "core/cloud/cloud_exchange.h"
 #include "core/cloud/cloud_frame.h"
 #include "core/cloud/cloud_state_io.h"
@@ -18,13 +19,10 @@
 namespace spin {
 namespace {
 
-/// What a cloud fills, about: a small box nearly, of a large one a part of the ground to this height.
-constexpr double kFilled = 0.7, kFilledPlan = 0.15, kCloudHeight = 60.0;
-constexpr double kSmallBox = 3e5;  // m3
 /// Cells a second and thread, of the grid with one exchange, by its measured rate.
 constexpr double kCellRate = 1.5e6;
-/// The grid's fields and work arrays, bytes a cell.
-constexpr double kStateBytes = 32.0, kWorkBytes = 160.0;
+/// Of a checkpoint, bytes a cell.
+constexpr double kStateBytes = 32.0;
 
 class CloudProcess final : public Process {
  public:
@@ -89,22 +87,22 @@ class CloudProcess final : public Process {
     const double cells = filledCells(scene);
     const double film = scene.timeOf(scene.settings<SimulationNode>(0.0).lastFrame).film;
     const double steps = film / scene.settings<AirNode>(0.0).coupling;
-    return {cells * kWorkBytes, static_cast<double>(scene.settings<AirNode>(0.0).mostDrops),
+    return {cells * kCloudWorkBytes, static_cast<double>(scene.settings<AirNode>(0.0).mostDrops),
             cells * steps / (kCellRate * threads)};
   }
 
  private:
   static double filledCells(const SceneSnapshot& scene) {
     const Result<CloudScene> made = makeCloudScene(scene, {}, false);
-    if (!made) return 0.0;
-    const Vec3d size = made->box.size();
-    const double cell = made->air.cell, wide = kSmallBox + kFilledPlan * size.x * size.y * kCloudHeight;
-    return std::min(kFilled * made->cells(), wide / (cell * cell * cell));
+    return made ? spin::filledCells(*made) : 0.0;
   }
 
   Status make(const SceneSnapshot& scene, ProcessContext& context) {
     Result<CloudScene> made = makeCloudScene(scene, context.cancel);
     if (!made) return made.error();
+    const SceneNode* node = scene.first<AirNode>();
+    if (const auto tooLarge = memoryIssue(*made, node ? node->id : std::string()))
+      return badInput("The air cannot start", tooLarge->node, tooLarge->text);
     m_scene = std::make_unique<CloudScene>(std::move(*made));
     Result<std::unique_ptr<AirSolver>> air =
         context.makeAirSolver ? context.makeAirSolver(m_scene->air)

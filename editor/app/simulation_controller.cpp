@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/cloud/cloud_estimate.h"
 #include "core/flow/flow_estimate.h"
 #include "core/nodes/settings_nodes.h"
 #include "editor/document/scene_document.h"
@@ -243,6 +244,8 @@ void SimulationController::checkFlow() {
     if (number != m_flowCheck) return;
     std::vector<FlowIssue> found;
     if (sceneHasFlow(*scene)) found = findFlowIssues(*scene);
+    const std::vector<FlowIssue> air = findCloudIssues(*scene);
+    found.insert(found.end(), air.begin(), air.end());
     QMetaObject::invokeMethod(this, [this, number, found] {
       if (number != m_flowCheck) return;
       m_flowIssues = found;

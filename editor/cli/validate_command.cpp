@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cloud/cloud_estimate.h"
 #include "core/fields/terrain_surface.h"
 #include "core/flow/flow_estimate.h"
 #include "core/nodes/ground_nodes.h"
@@ -67,8 +68,9 @@ void checkLayers(const SceneSnapshot& scene, Problems& problems) {
 
 void checkFlow(const SceneSnapshot& scene, Problems& problems) {
   if (!sceneHasFlow(scene)) return;
-  for (const FlowIssue& issue : findFlowIssues(scene))
-    problems.push_back({issue.node, issue.text, issue.fatal});
+  const auto flow = findFlowIssues(scene), air = findCloudIssues(scene);
+  for (const auto* issues : {&flow, &air})
+    for (const FlowIssue& issue : *issues) problems.push_back({issue.node, issue.text, issue.fatal});
 }
 
 double distanceInPlan(const Box3d& box, Vec3d p) {

@@ -3,6 +3,7 @@
 #include "editor/document/scene_checks.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 #include "core/nodes/air_nodes.h"
 #include "core/nodes/camera_node.h"
@@ -83,7 +84,10 @@ class Checks {
 
   void checkAir() {
     const SceneNode* air = m_scene.firstOf(kAirType);
-    if (!air || m_scene.firstOf(kAvalancheReleaseType) || m_scene.firstOf(kWaterSourceType)) return;
+    const auto flows = [](const SceneNode& node) {
+      return node.enabled && (node.type == &kAvalancheReleaseType || node.type == &kWaterSourceType);
+    };
+    if (!air || !air->enabled || std::any_of(m_scene.nodes().begin(), m_scene.nodes().end(), flows)) return;
     m_issues.push_back(
         {Severity::Information, air->id, "",
          QCoreApplication::translate("SceneChecks",

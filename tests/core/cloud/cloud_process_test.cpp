@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "core/air/brick_solids.h"
+#include "core/cloud/cloud_estimate.h"
 #include "core/cloud/cloud_process.h"
 #include "core/cloud/cloud_scene.h"
 #include "core/nodes/weather_nodes.h"
@@ -270,6 +271,19 @@ FlowTestScene airyLand(double spacing, double margin, const std::function<double
   AirNode air;
   air.margin = margin, air.headroom = 40.0;
   return scene.add(kWaterSourceType, "crest", source).add(kAirType, "air", air);
+}
+
+TEST(CloudScene, CellsThatDoNotFitIntoMemoryAreTold) {
+  const SceneSnapshot fits = airyLand(0.5, 10.0, [](double) { return 0.0; }).build();
+  EXPECT_TRUE(findCloudIssues(fits).empty());
+  const Result<CloudScene> made = makeCloudScene(fits, {}, false);
+  ASSERT_TRUE(made.ok());
+  const double bytes = filledCells(*made) * kCloudWorkBytes;
+  EXPECT_FALSE(memoryIssue(*made, "air", 1.01 * bytes));
+  const auto issue = memoryIssue(*made, "air", 0.99 * bytes);
+  ASSERT_TRUE(issue);
+  EXPECT_TRUE(issue->fatal);
+  EXPECT_NE(issue->text.find("million cells of 2 m"), std::string::npos) << issue->text;
 }
 
 TEST(CloudScene, CliffsHaveNoHoles) {
