@@ -159,7 +159,7 @@ TEST_F(AirDraw, ThickPowderInTheSunIsWhiteAndDarkerOnItsOtherSide) {
   const Picture p = draw(builder.build(), airFrame(part), kView, sized(200, 120));
   // A ball of 4 m 20 m away: 68 pixels to either side.
   const int lit = p.bright(70, 50), shaded = p.bright(135, 70);
-  EXPECT_GT(lit, 195);
+  EXPECT_GT(lit, 215);
   EXPECT_LT(shaded, lit - 40);
   EXPECT_GT(shaded, 90) << "light comes through and round";
   EXPECT_LT(std::abs(p.red(70, 50) - p.blue(70, 50)), 40);
